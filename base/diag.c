@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Sources, sites and messages; see diag.h. Line starts are not indexed: a line
+ * is counted from the start of its source when a message needs it.
+ */
+#include "base/diag.h"
+
+#include "base/arena.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Deeper chains than this are shown in part: the innermost ones. */
+enum { CHAIN_MAX = 8 };
+
+struct source {
+	const char *name, *bytes;
+	size_t size;
+};
+
+struct site {
+	span call;
+	const char *context;
+};
+
+struct diag {
+	message_sink sink;
+	void *user;
+	struct source *sources;
+	struct site *sites;
+	size_t source_count, site_count, site_room;
+	unsigned errors, warnings;
+	char *lines[CHAIN_MAX + 1]; /* the text of the places being shown */
+};
+
+struct diag *diag_create(message_sink sink, void *user)
+{
+	struct diag *d = memory_alloc(1, sizeof *d);
+	*d = (struct diag){ .sink = sink, .user = user };
+	return d;
+}
+
+void diag_destroy(struct diag *d)
+{
+	if (!d)
+		return;
+	for (int i = 0; i <= CHAIN_MAX; i++)
+		free(d->lines[i]);
+	free(d->sources);
+	free(d->sites);
+	free(d);
+}
+
+uint32_t diag_add_source(struct diag *d, const char *name, const char *bytes, size_t size)
+{
+	d->sources = memory_grow(d->sources, d->source_count + 1, sizeof *d->sources);
+	d->sources[d->source_count++] = (struct source){ name, bytes, size };
+	return (uint32_t)d->source_count;
+}
+
+uint32_t diag_add_site(struct diag *d, span call, const char *context)
+{
+	if (d->site_count == d->site_room) {
+		d->site_room = d->site_room ? 2 * d->site_room : 64;
+		d->sites = memory_grow(d->sites, d->site_room, sizeof *d->sites);
+	}
+	d->sites[d->site_count++] = (struct site){ call, context };
+	return (uint32_t)d->site_count;
+}
+
+/* A newline is LF, CR, CR LF or LF CR; returns its length at p, 0 if there is none. */
+static size_t newline_length(const char *p, const char *end)
+{
+	if (p == end || (*p != '\n' && *p != '\r'))
+		return 0;
+	return p + 1 < end && (p[1] == '\n' || p[1] == '\r') && p[1] != *p ? 2 : 1;
+}
+
+static struct place resolve(struct diag *d, span where, char **line_text)
+{
+	struct place place = { .length = where.length ? where.length : 1 };
+	if (where.source == 0 || where.source > d->source_count)
+		return place;
+	const struct source *s = &d->sources[where.source - 1];
+	const char *end = s->bytes + s->size;
+	const char *at = s->bytes + (where.offset < s->size ? where.offset : s->size);
+	const char *line = s->bytes;
+	unsigned number = 1;
+	for (const char *p = s->bytes; p < at;) {
+		const size_t n = newline_length(p, end);
+		if (n && p + n <= at) {
+			number++;
+			line = p + n;
+		}
+		p += n ? n : 1;
+	}
+	const char *stop = line;
+	while (stop < end && *stop != '\n' && *stop != '\r')
+		stop++;
+	free(*line_text);
+	*line_text = memory_alloc((size_t)(stop - line) + 1, 1);
+	memcpy(*line_text, line, (size_t)(stop - line));
+	(*line_text)[stop - line] = 0;
+	place.file = s->name;
+	place.line = number;
+	place.column = (unsigned)(at - line) + 1;
+	place.text = *line_text;
+	return place;
+}
+
+struct place diag_place(struct diag *d, span where)
+{
+	return resolve(d, where, &d->lines[0]);
+}
+
+static void deliver(
+	struct diag *d, enum severity severity, span where, const char *format, va_list args)
+{
+	char text[1024];
+	vsnprintf(text, sizeof text, format, args);
+	if (severity == SEVERITY_ERROR)
+		d->errors++;
+	if (severity == SEVERITY_WARNING)
+		d->warnings++;
+	struct place chain[CHAIN_MAX];
+	size_t length = 0;
+	for (uint32_t site = where.site; site && site <= d->site_count && length < CHAIN_MAX;) {
+		const struct site *s = &d->sites[site - 1];
+		chain[length] = resolve(d, s->call, &d->lines[length + 1]);
+		chain[length].context = s->context;
+		length++;
+		site = s->call.site;
+	}
+	const struct message m = {
+		.severity = severity,
+		.text = text,
+		.place = resolve(d, where, &d->lines[0]),
+		.chain = chain,
+		.chain_length = length,
+	};
+	d->sink(d->user, &m);
+}
+
+void diag_report(struct diag *d, enum severity severity, span where, const char *format, ...)
+{
+	va_list args;
+	va_start(args, format);
+	deliver(d, severity, where, format, args);
+	va_end(args);
+}
+
+void diag_error(struct diag *d, span where, const char *format, ...)
+{
+	va_list args;
+	va_start(args, format);
+	deliver(d, SEVERITY_ERROR, where, format, args);
+	va_end(args);
+}
+
+void diag_warning(struct diag *d, span where, const char *format, ...)
+{
+	va_list args;
+	va_start(args, format);
+	deliver(d, SEVERITY_WARNING, where, format, args);
+	va_end(args);
+}
+
+void diag_note(struct diag *d, span where, const char *format, ...)
+{
+	va_list args;
+	va_start(args, format);
+	deliver(d, SEVERITY_NOTE, where, format, args);
+	va_end(args);
+}
+
+unsigned diag_errors(const struct diag *d)
+{
+	return d->errors;
+}
+
+unsigned diag_warnings(const struct diag *d)
+{
+	return d->warnings;
+}

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Work over threads. Jobs are numbered; which thread runs which job is not
+ * defined, so a job must write only what its number owns.
+ */
+#ifndef LAMBERT_BASE_PARALLEL_H
+#define LAMBERT_BASE_PARALLEL_H
+
+#include <stddef.h>
+
+/* Processors available to this process, at least 1. */
+unsigned parallel_processors(void);
+
+/* Runs job(user, index, thread) for every index below `count` on `threads` threads (the caller is
+ * one of them) and returns when all are done. thread is below `threads`. Indices are handed out in
+ * ascending order. */
+void parallel_for(size_t count, unsigned threads,
+	void (*job)(void *user, size_t index, unsigned thread), void *user);
+
+#endif

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * lambert: renders scenes written in the POV-Ray 3.7 scene language.
+ *
+ * Load a scene, render it to an image, write the image:
+ *
+ *     struct lambert_scene_options scene_options;
+ *     lambert_scene_options_init(&scene_options);
+ *     lambert_scene *scene = lambert_scene_load("first.pov", &scene_options);
+ *     struct lambert_render_options render_options;
+ *     lambert_render_options_init(&render_options);
+ *     lambert_image *image = lambert_render(scene, &render_options);
+ *     lambert_image_write(image, "first.png", NULL, NULL, NULL);
+ *     lambert_image_destroy(image);
+ *     lambert_scene_destroy(scene);
+ *
+ * The library never prints and never exits (but for lack of memory); messages
+ * go to the callback of the options. A scene may be rendered from several
+ * threads at once. Whatever was created is destroyed by its _destroy function;
+ * destroying NULL does nothing.
+ */
+#ifndef LAMBERT_LAMBERT_H
+#define LAMBERT_LAMBERT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define LAMBERT_VERSION "0.1.0"
+
+typedef struct lambert_scene lambert_scene;
+typedef struct lambert_image lambert_image;
+
+enum lambert_severity { LAMBERT_NOTE, LAMBERT_WARNING, LAMBERT_ERROR };
+
+/* A place in the text of a scene. */
+struct lambert_place {
+	const char *file;	       /* NULL: no place */
+	unsigned line, column, length; /* from 1, in bytes */
+	const char *text;	       /* the line */
+	const char *context;	       /* in a chain: "in macro Foo, called here" */
+};
+
+/* The strings live as long as the callback runs. */
+struct lambert_message {
+	enum lambert_severity severity;
+	const char *text;
+	struct lambert_place place;
+	const struct lambert_place
+		*chain; /* the includes and macro calls that led there, outwards */
+	size_t chain_length;
+};
+typedef void (*lambert_message_function)(void *user, const struct lambert_message *);
+
+/* Text of #debug, #warning … ; `stream` is "debug", "warning", "render" or "statistics". */
+typedef void (*lambert_text_function)(void *user, const char *stream, const char *line);
+
+struct lambert_declaration {
+	const char *name;
+	const char *string; /* NULL: a number */
+	double number;
+};
+
+struct lambert_scene_options {
+	unsigned width, height;		  /* of the picture: image_width, image_height; 160, 120 */
+	const char *const *library_paths; /* searched after the current directory */
+	size_t library_path_count;
+	const struct lambert_declaration *declarations;
+	size_t declaration_count;
+	const char *include_header; /* read before the scene, or NULL */
+	double clock;
+	bool clock_on;
+	unsigned version; /* language version in hundredths, 0: not given */
+	int quality;	  /* 0 to 9; 9 */
+	bool output_alpha;
+	unsigned threads; /* 0: as many as processors */
+	bool no_file_io;
+	const char *const *read_paths;
+	size_t read_path_count;
+	const char *const *write_paths;
+	size_t write_path_count;
+	lambert_message_function message; /* may be NULL */
+	lambert_text_function text;	  /* may be NULL */
+	void *user;			  /* for both */
+};
+void lambert_scene_options_init(struct lambert_scene_options *);
+
+/* Reads, checks and prepares a scene; NULL after an error (the messages say which). */
+lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *);
+void lambert_scene_destroy(lambert_scene *);
+/* Reads a scene and prints its syntax tree as JSON; false after an error. */
+bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *, FILE *);
+
+struct lambert_scene_stats {
+	size_t tokens, objects, lights, unbounded_objects, accel_bytes;
+	double parse_cpu, lower_cpu, build_cpu; /* CPU seconds */
+};
+void lambert_scene_statistics(const lambert_scene *, struct lambert_scene_stats *);
+
+struct lambert_render_stats {
+	uint64_t camera_rays, reflected_rays, refracted_rays, transmitted_rays, shadow_rays,
+		max_level;
+	double trace_cpu, trace_wall; /* seconds */
+};
+
+struct lambert_render_options {
+	int antialias_method;	    /* 0 none, 1, 2; 0 */
+	double antialias_threshold; /* 0.3 */
+	int antialias_depth;	    /* 3 */
+	double antialias_jitter;    /* 1; 0: none */
+	double antialias_gamma;	    /* 2.5 */
+	unsigned left, top, right,
+		bottom;	     /* region: first and one past the last; all 0: everything */
+	unsigned block_size; /* 32 */
+	unsigned threads;    /* 0: as many as processors */
+	/* Called now and then; false stops the rendering. May be NULL. */
+	bool (*progress)(void *user, double share_done);
+	void *user;
+	struct lambert_render_stats *stats; /* filled when not NULL */
+};
+void lambert_render_options_init(struct lambert_render_options *);
+
+/* NULL when it was stopped. Never fails otherwise. */
+lambert_image *lambert_render(const lambert_scene *, const struct lambert_render_options *);
+void lambert_image_destroy(lambert_image *);
+unsigned lambert_image_width(const lambert_image *);
+unsigned lambert_image_height(const lambert_image *);
+/* Five floats a pixel, row-major from the top left: red, green, blue (working space, premultiplied),
+ * filter (0) and 1 - alpha. Lives as long as the image. */
+const float *lambert_image_pixels(const lambert_image *);
+
+struct lambert_output_options {
+	char format; /* N png, P ppm, T tga, C tga compressed, B bmp, J jpeg, E exr, H hdr, F tiff;
+	                           0: from the extension of the path, else N */
+	int bits;    /* 5 to 16; 8 */
+	bool grayscale, alpha;
+	double file_gamma; /* 0: sRGB */
+	char dither[3];	   /* "": none; "B2" "B3" "B4" "D1" "D2" "FS" */
+	int quality;	   /* JPEG, 2 to 100; 0: 85 */
+};
+void lambert_output_options_init(struct lambert_output_options *);
+/* Writes a picture; "-" is standard output. Options NULL: defaults. False: the message says why;
+ * nothing is left behind. */
+bool lambert_image_write(const lambert_image *, const char *path,
+	const struct lambert_output_options *, lambert_message_function, void *user);
+
+/* How two picture files differ; samples are compared as stored, scaled to 0…255. */
+struct lambert_difference {
+	unsigned width, height;
+	double maximum[4], rmse[4];	     /* red, green, blue, alpha */
+	double rmse_all, psnr;		     /* over red, green and blue */
+	double within_1, within_2, within_8; /* shares of pixels, all channels */
+	double lowest_ssim;		     /* over the 8 x 8 blocks, of luminance */
+	unsigned worst_x, worst_y;
+	double worst;
+};
+/* False: a file cannot be read or the sizes differ; the message says so. `heatmap`: a PNG to write, or
+ * NULL. */
+bool lambert_compare(const char *a, const char *b, const char *heatmap, struct lambert_difference *,
+	lambert_message_function, void *user);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

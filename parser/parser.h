@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The parser's one entry: scene text to AST.
+ */
+#ifndef LAMBERT_PARSER_PARSER_H
+#define LAMBERT_PARSER_PARSER_H
+
+#include "base/arena.h"
+#include "base/diag.h"
+#include "parser/ast.h"
+
+#include <stdio.h>
+
+/* An identifier made before the first token, as the option Declare=NAME=VALUE does. */
+struct declaration {
+	const char *name;
+	const char *string; /* NULL: a number */
+	double number;
+};
+
+/* What the language may ask of the renderer while it is being read. Any may be NULL: its use in
+ * a scene is then reported as not supported. `object` etc. are declared values. */
+struct render_hooks {
+	void *user;
+	bool (*inside)(void *user, const struct node *object, const double p[3], bool *answer);
+	bool (*trace)(void *user, const struct node *object, const double origin[3],
+		const double direction[3], double point[3], double normal[3], bool *found);
+	bool (*extent)(void *user, const struct node *object, double lo[3], double hi[3]);
+	/* Width and height in pixels of the image of an image_map pigment. */
+	bool (*image_size)(void *user, const struct node *pigment, double size[3]);
+	/* Value of a function at `arguments`; `result` has 1 to 5 terms. */
+	bool (*call)(void *user, const struct function *, const double *arguments, double result[5],
+		unsigned *terms);
+	/* The turbulence vector of vturbulence(). */
+	bool (*turbulence)(void *user, double lambda, double omega, int octaves, const double p[3],
+		int noise_generator, double result[3]);
+	/* See language.md: functions evaluated while reading use the version then in force. */
+};
+
+struct parse_options {
+	const char *const *library_paths; /* searched after the current directory */
+	size_t library_path_count;
+	/* Searched last, after a warning: the folder of the scene (lambert's own courtesy). */
+	const char *scene_folder;
+	const struct declaration *declarations;
+	size_t declaration_count;
+	const char *include_header; /* read first, as if included; NULL: none */
+	double clock;
+	bool clock_on;
+	int version; /* hundredths; 370 unless an option says otherwise */
+	bool version_set;
+	bool no_file_io;	       /* refuse #fopen for writing */
+	const char *const *read_paths; /* more folders a scene may read below */
+	size_t read_path_count;
+	const char *const *write_paths; /* more folders a scene may write below */
+	size_t write_path_count;
+	size_t max_loop_tokens; /* give up after that many tokens; 0: no limit */
+	FILE *debug_stream;	/* where #debug, #warning … text goes, NULL: nowhere */
+	void (*text)(void *user, enum keyword stream, const char *line); /* K_DEBUG, K_RENDER, … */
+	void *text_user;
+	struct render_hooks hooks;
+};
+
+/* Reads `path` (the bytes are `text` when that is not NULL) and everything it includes.
+ * Errors go to `diag`; returns NULL after an error. The AST and the sources live in `arena`. */
+const struct ast *parse_scene(const char *path, const char *text, size_t size,
+	const struct parse_options *, struct diag *, struct arena *arena);
+
+/* The AST as JSON, for `lambert ast`. */
+void ast_print_json(const struct ast *, struct diag *, FILE *);
+
+/* Finds a file as the language does: as written, then in each library path, with the extensions
+ * tried in order (NULL-terminated list, see language.md 6.2). Falls back, with *courtesy set, to the
+ * scene's folder, other letter case and backslashes. NULL if there is none. */
+const char *file_find(const struct parse_options *, const char *name, const char *const *extensions,
+	bool *courtesy, struct arena *);
+
+#endif

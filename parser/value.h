@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What an identifier can hold.
+ */
+#ifndef LAMBERT_PARSER_VALUE_H
+#define LAMBERT_PARSER_VALUE_H
+
+#include "parser/ast.h"
+
+enum value_kind {
+	VALUE_NONE,   /* declared, not yet assigned */
+	VALUE_NUMBER, /* 1 to 4 terms */
+	VALUE_COLOUR, /* 5 terms, each rounded to float */
+	VALUE_STRING,
+	VALUE_ARRAY,
+	VALUE_NODE, /* object, texture, camera …: by node->keyword */
+	VALUE_FUNCTION,
+	VALUE_SPLINE,
+	VALUE_MACRO,
+	VALUE_FILE,
+};
+
+struct value {
+	enum value_kind kind;
+	/* VALUE_NODE: the terminal the identifier becomes (T_OBJECT, T_TEXTURE, …). */
+	int token;
+	union {
+		struct number number;
+		const char *string;
+		struct array *array;
+		const struct node *node;
+		const struct function *function;
+		const struct spline *spline;
+		struct macro *macro;
+		struct scene_file *file;
+	};
+};
+
+/* Row-major, last subscript fastest. Elements are VALUE_NONE until assigned; all assigned elements
+ * have one kind (and, for nodes, one token). */
+struct array {
+	unsigned dimensions; /* 1 to 5 */
+	size_t size[5], count;
+	enum value_kind kind; /* VALUE_NONE: still open */
+	struct value *elements;
+};
+
+#endif

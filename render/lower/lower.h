@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * From AST to render scene: the only place that knows both. Every remaining
+ * error of the scene is found here, with its span.
+ */
+#ifndef LAMBERT_RENDER_LOWER_LOWER_H
+#define LAMBERT_RENDER_LOWER_LOWER_H
+
+#include "base/diag.h"
+#include "parser/ast.h"
+#include "parser/parser.h"
+#include "render/scene.h"
+#include "render/texture.h"
+
+/* What the command line decides about a scene. */
+struct lower_options {
+	unsigned width, height;
+	int quality;
+	bool output_alpha;
+	int working_version;		   /* Version option, hundredths; 0: none given */
+	const struct parse_options *files; /* for fonts and images */
+};
+
+struct lowering {
+	struct scene *scene;
+	struct arena *arena; /* the scene's */
+	struct diag *diag;
+	const struct ast *ast;
+	const struct lower_options *options;
+	void *textures; /* lower_texture.c: what has been lowered already */
+	const struct wave_sources *wave_sources;
+};
+
+/* False after an error. */
+bool lower_scene(const struct ast *, const struct lower_options *, struct diag *, struct scene *);
+
+/* ---- helpers of the lower_ files ---- */
+
+/* The number argument `index` of a node as a float, vector, colour; reports what is wrong. */
+double lower_float(struct lowering *, const struct node *, uint32_t index, const char *what);
+vec3 lower_vector(struct lowering *, const struct node *, uint32_t index, const char *what);
+colour lower_colour(struct lowering *, const struct node *, uint32_t index);
+rgb lower_rgb(struct lowering *, const struct node *, uint32_t index, const char *what);
+/* An optional switch: absent means on; on if > 0. */
+bool lower_switch(struct lowering *, const struct node *, bool absent);
+/* The transformation of K_TRANSLATE, K_ROTATE, K_SCALE, K_MATRIX, K_TRANSFORM nodes. */
+transform lower_transform(struct lowering *, const struct node *);
+bool node_is_transform(const struct node *);
+/* Follows references to the declared value. */
+const struct node *node_resolve(const struct node *);
+void lower_unsupported(struct lowering *, const struct node *, const char *what);
+
+/* ---- lower_texture.c: textures and what they are made of ---- */
+
+/* A texture under construction on an object: layers that transformations still move. */
+struct texture_state;
+/* The default texture in force in `state`. */
+struct texture_state *texture_state_default(struct lowering *, const struct language_state *);
+struct texture_state *texture_state_copy(struct lowering *, const struct texture_state *);
+/* Applies a K_TEXTURE (adds layers), K_PIGMENT, K_NORMAL, K_FINISH (modify the top layer) item, or
+ * a reference to one, to *state, which is NULL while the object has no texture yet. */
+void texture_state_add(struct lowering *, struct texture_state **state, const struct node *item);
+void texture_state_transform(struct lowering *, struct texture_state *, const transform *);
+/* The finished texture. Equal states may share one. */
+const struct texture *texture_state_finish(struct lowering *, struct texture_state *, bool uv);
+/* Obsolete finish items that belong to the interior (ior, caustics); false if none. */
+bool texture_state_interior(const struct texture_state *, double *ior, double *caustics);
+
+/* A pigment on its own, for sky_sphere; transformed by `place` when not NULL. */
+const struct pigment *lower_pigment(struct lowering *, const struct node *, const transform *place);
+
+#endif

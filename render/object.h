@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Objects: a shape in its place with its looks, and what a ray finds of it.
+ * Built by lowering, const afterwards.
+ *
+ * A leaf object has a shape of its own surface (sphere, torus, mesh …). A
+ * compound one (merge, intersection, difference, a union that must be kept) has
+ * a CSG shape whose children are objects again. Transformations are pushed down
+ * to the leaves, so a leaf's transform leads straight to the world.
+ */
+#ifndef LAMBERT_RENDER_OBJECT_H
+#define LAMBERT_RENDER_OBJECT_H
+
+#include "base/transform.h"
+#include "base/vec3.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+struct shape_class;
+struct texture;
+struct interior;
+struct object;
+
+/* Smallest accepted distance of any hit along a ray, in world units. */
+#define T_MIN 1e-4
+/* A surface must be this far from the lit point, and from the light, to shadow. */
+#define T_SHADOW 1e-3
+/* Depth of a ray that hits nothing. */
+#define T_MISS 2e10
+
+/* Kinds of rays, as bits of object.visible_to. */
+enum ray_kind {
+	RAY_CAMERA = 1,	       /* from the camera, possibly refracted since */
+	RAY_REFLECTED = 2,     /* reflected at least once */
+	RAY_SHADOW_OPAQUE = 4, /* set if the object blocks light completely */
+	RAY_SHADOW_TINTED = 8, /* set if it casts a shadow but may let light through */
+	RAY_SECONDARY =
+		16, /* refracted or continued, never reflected: see no_image in kept unions */
+	RAY_ALL = 31,
+};
+
+struct object {
+	const struct shape_class *shape;
+	const void *self;	/* the shape's own data, in its own space */
+	const transform *place; /* shape space to world; NULL: the same */
+	box bounds;		/* world, after clipping and bounding; may be unbounded */
+	const struct object *const *clips;     /* a hit counts only inside all of them */
+	const struct object *const *bounds_by; /* kept bounded_by objects */
+	uint32_t clip_count, bound_count;
+	uint32_t visible_to; /* enum ray_kind bits */
+	uint32_t rank;	     /* wins exact ties by the lower rank */
+	bool inverted;	     /* `inverse`: complement, normal negated */
+	bool hollow, double_illuminate;
+	bool uv_mapping;
+	bool normal_stays;	   /* raw normal is not negated by `inverted` (quadric) */
+	const transform *uv_place; /* with uv_mapping: the transformations of the object, or NULL */
+	const struct texture *texture, *interior_texture;
+	const struct interior *interior;
+	const struct light *const
+		*lights;    /* of the light groups it is in; NULL-terminated, or NULL */
+	bool global_lights; /* lit by the scene's lights */
+};
+
+/* One crossing of a ray with a surface. */
+struct hit {
+	double t;		     /* parameter of the world ray */
+	const struct object *object; /* the leaf that was hit */
+	uint32_t part;		     /* for the shape: face, contour, triangle … */
+	double u, v;		     /* for the shape: barycentrics, spline parameter … */
+};
+
+/* A growing list of hits. Zero-initialise; release with hits_release. */
+struct hits {
+	struct hit *items;
+	size_t count, room;
+};
+/* Appends a hit with the given parameter; object is filled in by object_hits. */
+struct hit *hits_push(struct hits *, double t);
+void hits_release(struct hits *);
+
+/* Appends every crossing with tmin < t < tmax that survives clipping (unordered). */
+void object_hits(const struct object *, const ray *, double tmin, double tmax, struct hits *);
+/* The nearest crossing with tmin <= t < tmax, *found unchanged when there is none. Among equal t
+ * of one object the crossing generated last wins. */
+bool object_nearest(
+	const struct object *, const ray *, double tmin, double tmax, struct hit *found);
+/* Inversion and clips included. Always false for patches. */
+bool object_inside(const struct object *, vec3 p);
+/* Whether the object has an inside at all. */
+bool object_is_solid(const struct object *);
+/* Raw outward normal in the world: unit, negated for inverted objects, not turned to the viewer.
+ * `p` is the world point of the hit. */
+vec3 object_normal(const struct hit *, vec3 p);
+/* uv coordinates of a hit; shapes without their own give the world x and y. */
+void object_uv(const struct hit *, vec3 p, double uv[2]);
+/* Fills `bounds` from shape, place, clips (called once by lowering, when all else is set). */
+void object_set_bounds(struct object *);
+
+#endif

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a primitive must offer: one file with one struct shape_class, and one
+ * line SHAPE(name) in shape/shapes.def.
+ *
+ * A shape works in its own space. Rays given to it have unnormalised directions
+ * so that the ray parameter is that of the world ray; a shape that wants a unit
+ * direction normalises and divides its roots. It reports crossings; the caller
+ * decides which of them matter.
+ */
+#ifndef LAMBERT_RENDER_SHAPE_H
+#define LAMBERT_RENDER_SHAPE_H
+
+#include "base/arena.h"
+#include "render/object.h"
+
+/* The values written between the braces before any modifier, in order, and the flag words. */
+enum param_type {
+	PARAM_TYPE_END,
+	PARAM_TYPE_FLOAT,    /* double */
+	PARAM_TYPE_VECTOR,   /* vec3 */
+	PARAM_TYPE_OPTIONAL, /* double; keeps what `defaults` put there when absent */
+	PARAM_TYPE_FLAG,     /* bool: the word `name` among the items */
+};
+struct param {
+	const char *name; /* for messages: "torus needs a minor radius"; for flags the word */
+	enum param_type type;
+	size_t offset;
+};
+#define PARAM_FLOAT(name, type, field)                                                             \
+	{                                                                                          \
+		name, PARAM_TYPE_FLOAT, offsetof(struct type, field)                               \
+	}
+#define PARAM_VECTOR(name, type, field)                                                            \
+	{                                                                                          \
+		name, PARAM_TYPE_VECTOR, offsetof(struct type, field)                              \
+	}
+#define PARAM_OPTIONAL(name, type, field)                                                          \
+	{                                                                                          \
+		name, PARAM_TYPE_OPTIONAL, offsetof(struct type, field)                            \
+	}
+#define PARAM_FLAG(name, type, field)                                                              \
+	{                                                                                          \
+		name, PARAM_TYPE_FLAG, offsetof(struct type, field)                                \
+	}
+#define PARAM_END                                                                                  \
+	{                                                                                          \
+		NULL, PARAM_TYPE_END, 0                                                            \
+	}
+
+/* What `build` may say. The message functions of lowering stand behind the pointers. */
+struct shape_build {
+	struct arena *arena; /* for what the instance owns */
+	void *user;
+	void (*error)(void *user, const char *message);
+	void (*warning)(void *user, const char *message);
+	bool dropped; /* set by build: nothing to render ("degenerate triangle") */
+};
+
+struct shape_class {
+	const char *name;	    /* the word of the scene language */
+	size_t size;		    /* of the instance */
+	const struct param *params; /* NULL: lowering has its own file for this shape */
+	bool is_patch;		    /* has no inside */
+	bool is_compound;	    /* children are objects and hits already name their leaf */
+	bool keeps_normal_inverted; /* `inverse` does not negate the raw normal (plane, quadric) */
+
+	/* Checks the parameters and derives what tracing needs. NULL: nothing to do. */
+	void (*build)(void *self, struct shape_build *);
+	/* Takes a transformation into the instance's own parameters if that is exact; false: the
+	 * object keeps it as its place. NULL: never. */
+	bool (*absorb)(void *self, const transform *);
+	/* Turns the instance inside out by itself (plane); NULL: the object's flag does it. */
+	void (*invert)(void *self);
+	/* In shape space; box_everything() when unbounded. */
+	box (*bounds)(const void *self);
+	/* The first crossing with tmin <= t < tmax. NULL: found through `hits`. */
+	bool (*nearest)(const void *self, const ray *, double tmin, double tmax, struct hit *);
+	/* Every crossing with tmin < t < tmax. */
+	void (*hits)(const void *self, const ray *, double tmin, double tmax, struct hits *);
+	/* On-surface points as in objects.md 8.2. NULL for patches. */
+	bool (*inside)(const void *self, vec3 p);
+	/* Outward, any length. */
+	vec3 (*normal)(const void *self, const struct hit *, vec3 p);
+	/* NULL: world x and y. */
+	void (*uv)(const void *self, const struct hit *, vec3 p, double uv[2]);
+};
+
+/* The class of a scene-language word, or NULL. */
+const struct shape_class *shape_find(const char *word);
+
+/* CSG, for lowering. Children in scene order; inside tests of patches are false. */
+enum csg_kind { CSG_UNION, CSG_MERGE, CSG_INTERSECTION };
+struct csg {
+	enum csg_kind kind;
+	size_t count;
+	const struct object *const *children;
+};
+extern const struct shape_class shape_csg;
+
+#endif
