@@ -45,7 +45,9 @@ struct token_value {
 	const struct node *node;
 	const struct function *function;
 	const struct spline *spline;
-	struct symbol *symbol; /* NULL: not an identifier */
+	struct symbol *symbol; /* NULL: not an identifier; for an array element: the array's */
+	struct value *slot;    /* where the value of an identifier or array element lives; for
+	                          T_ARRAY: slot->array. Assign with slot_assign */
 };
 
 /* -- Offered by the directive layer to the grammar ---------------------------------------- */
@@ -56,6 +58,8 @@ int expand_next(struct parser *, struct token_value *, span *);
 void expand_unread(struct parser *, int token, const struct token_value *, span);
 /* Registers / finds / assigns identifiers for actions that need it (trace's fourth argument). */
 void symbol_assign(struct parser *, struct symbol *, const struct value *);
+/* The same through token_value.slot, which reaches array elements too. */
+void slot_assign(struct parser *, struct value *slot, const struct value *);
 /* Function parameters hide identifiers while a function body is read. */
 void expand_push_names(struct parser *, const char *const *names, size_t count);
 void expand_pop_names(struct parser *);
@@ -70,5 +74,6 @@ bool parse_string(struct parser *, const char **, bool file_name); /* string exp
 bool parse_declared(struct parser *, struct value *); /* right side of #declare, macro argument */
 bool parse_number_any(struct parser *, struct number *); /* sum level, any number of terms */
 bool parse_defaults(struct parser *); /* { … } of #default: updates the state */
+bool parse_statements(struct parser *); /* the whole scene: sets parser->statements */
 
 #endif

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The state of one parse, shared by the directive layer (expand.c and its
+ * helpers) and the grammar (grammar.y and its helpers). Nobody else sees it.
+ *
+ * Nested parses are C recursion: a #declare runs parse_declared from within
+ * expand_next, which may itself run inside a parse. Keep the stack frame of a
+ * bison parser small (YYINITDEPTH 40 or so, growing on the heap): up to
+ * NESTED_PARSES of them can be active at once.
+ */
+#ifndef LAMBERT_PARSER_INTERNAL_H
+#define LAMBERT_PARSER_INTERNAL_H
+
+#include "base/arena.h"
+#include "base/diag.h"
+#include "parser/ast.h"
+#include "parser/parser.h"
+#include "parser/token.h"
+#include "parser/value.h"
+
+enum {
+	NESTED_PARSES = 300, /* active at once; more is an error (checked where parses begin) */
+};
+
+/* How bytes above 127 in string literals are read; global_settings { charset … } sets it. */
+enum charset { CHARSET_ASCII, CHARSET_UTF8, CHARSET_SYS };
+
+struct expand;	/* the directive layer's own state: expand.h */
+struct grammar; /* the grammar's own state, if it needs any; created by grammar_create */
+
+struct parser {
+	struct diag *diag;
+	struct arena *arena;
+	const struct parse_options *options;
+
+	/* What the text read so far has set; copied into each node made. Never written to: a
+	 * change makes a new one, see parser_change_state. */
+	const struct language_state *state;
+	enum charset charset;
+
+	/* An error was reported: expand_next returns 0 from now on, nested parsers unwind. */
+	bool failed;
+
+	/* Random streams: seed() appends a state, rand() advances one. memory_grow'n, freed at
+	 * the end of the parse. */
+	uint32_t *seeds;
+	size_t seed_count;
+
+	/* Results of the grammar. */
+	const struct node *statements; /* of parse_statements */
+	struct grammar *grammar;
+
+	struct expand *expand;
+	size_t token_count; /* delivered to the grammar */
+};
+
+/* A fresh, writable copy of the language state that is in force from now on. */
+struct language_state *parser_change_state(struct parser *);
+
+/* Reports an error and ends the token stream. Only the first is shown: what follows an error is
+ * mostly its consequence. */
+void parser_error(struct parser *, span where, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+
+/* The error for a word that names nothing (T_UNDECLARED), with the nearest known name. */
+void parser_error_undeclared(struct parser *, span where, const char *name);
+
+/* The span from the start of `first` to the end of `last`, if they come from the same text. */
+span span_join(span first, span last);
+
+/* Gates. Between gate_live and gate_restore all tokens are read live, whatever the construct
+ * around it holds back; the directive layer wraps every directive so, the grammar hardly needs
+ * it. */
+struct gate;
+
+#endif
