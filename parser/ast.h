@@ -39,6 +39,7 @@ enum keyword {
 	                     colour or slope argument, or children as in the map's statement */
 	K_LIST_ITEM,	     /* colour of a colour list: argument 0, five terms */
 	K_TRIANGLE_TEXTURES, /* texture choice of a mesh face */
+	K_IMAGE_FILE,	     /* an image named without its type: argument 0 the name */
 };
 
 /* The word of a keyword, or a name for the others ("reference"). */

@@ -74,6 +74,11 @@ bool parse_string(struct parser *, const char **, bool file_name); /* string exp
 bool parse_declared(struct parser *, struct value *); /* right side of #declare, macro argument */
 bool parse_number_any(struct parser *, struct number *); /* sum level, any number of terms */
 bool parse_defaults(struct parser *); /* { … } of #default: updates the state */
+/* The whole scene, to the end of the text: its statements in source order. */
+bool parse_statements(struct parser *, const struct node **statements);
+
+/* The terminal KW_<WORD> of a keyword. */
+extern const int keyword_token[KEYWORD_COUNT];
 bool parse_statements(struct parser *); /* the whole scene: sets parser->statements */
 
 #endif
