@@ -30,6 +30,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+#pragma GCC visibility push(default)
 
 #define LAMBERT_VERSION "0.1.0"
 
@@ -164,6 +165,7 @@ struct lambert_difference {
 bool lambert_compare(const char *a, const char *b, const char *heatmap, struct lambert_difference *,
 	lambert_message_function, void *user);
 
+#pragma GCC visibility pop
 #ifdef __cplusplus
 }
 #endif

@@ -29,6 +29,11 @@ struct lowering {
 	const struct lower_options *options;
 	void *textures; /* lower_texture.c: what has been lowered already */
 	const struct wave_sources *wave_sources;
+	struct draft_cache *drafts; /* declared objects drafted already, or NULL */
+	unsigned cameras;           /* met so far */
+	const struct texture *default_texture; /* finished, for objects without one */
+	const struct defaults *default_of;     /* the #default it was made of */
+	struct interior *plain_interior[2];    /* of opaque objects: solid, hollow */
 };
 
 /* False after an error. */

@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The public API over the stages: text -> AST -> scene -> film. Pictures in
+ * files are in render/api_image.c.
+ */
+#include "lambert/lambert.h"
+
+#include "base/arena.h"
+#include "base/diag.h"
+#include "base/parallel.h"
+#include "parser/parser.h"
+#include "render/accel.h"
+#include "render/api.h"
+#include "render/film.h"
+#include "render/lower/lower.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+struct lambert_scene {
+	struct scene *scene;
+	unsigned width, height;
+	struct lambert_scene_stats stats;
+};
+
+static double cpu_seconds(void)
+{
+	struct timespec t;
+	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static double wall_seconds(void)
+{
+	struct timespec t;
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void lambert_scene_options_init(struct lambert_scene_options *o)
+{
+	*o = (struct lambert_scene_options){ .width = 160, .height = 120, .quality = 9 };
+}
+
+/* ---- messages ---- */
+
+static struct lambert_place place_for_user(const struct place *p)
+{
+	return (struct lambert_place){ p->file, p->line, p->column, p->length, p->text,
+		p->context };
+}
+
+static void forward_message(void *user, const struct message *m)
+{
+	const struct lambert_scene_options *o = user;
+	if (!o->message)
+		return;
+	struct lambert_place chain[16];
+	size_t length = 0;
+	for (; length < m->chain_length && length < 16; length++)
+		chain[length] = place_for_user(&m->chain[length]);
+	const struct lambert_message out = {
+		.severity = m->severity == SEVERITY_ERROR     ? LAMBERT_ERROR
+			    : m->severity == SEVERITY_WARNING ? LAMBERT_WARNING
+							      : LAMBERT_NOTE,
+		.text = m->text,
+		.place = place_for_user(&m->place),
+		.chain = chain,
+		.chain_length = length,
+	};
+	o->message(o->user, &out);
+}
+
+static void forward_text(void *user, enum keyword stream, const char *line)
+{
+	const struct lambert_scene_options *o = user;
+	if (o->text)
+		o->text(o->user, keyword_name(stream), line);
+}
+
+/* ---- loading ---- */
+
+static char *folder_of(const char *path, struct arena *arena)
+{
+	const char *slash = strrchr(path, '/');
+	return slash ? arena_string(arena, path, (size_t)(slash - path)) : NULL;
+}
+
+static struct parse_options parse_options_for(
+	const char *path, const struct lambert_scene_options *o, struct arena *arena)
+{
+	struct declaration *d = ARENA_ARRAY(arena, o->declaration_count + 1, struct declaration);
+	for (size_t i = 0; i < o->declaration_count; i++)
+		d[i] = (struct declaration){ o->declarations[i].name, o->declarations[i].string,
+			o->declarations[i].number };
+	return (struct parse_options){
+		.library_paths = o->library_paths,
+		.library_path_count = o->library_path_count,
+		.scene_folder = folder_of(path, arena),
+		.declarations = d,
+		.declaration_count = o->declaration_count,
+		.include_header = o->include_header,
+		.clock = o->clock,
+		.clock_on = o->clock_on,
+		.version = o->version ? (int)o->version : 370,
+		.version_set = o->version != 0,
+		.no_file_io = o->no_file_io,
+		.read_paths = o->read_paths,
+		.read_path_count = o->read_path_count,
+		.write_paths = o->write_paths,
+		.write_path_count = o->write_path_count,
+		.text = forward_text,
+		.text_user = (void *)(uintptr_t)o,
+	};
+}
+
+static unsigned thread_count(unsigned wanted)
+{
+	return wanted ? wanted : parallel_processors();
+}
+
+static void fill_statistics(struct lambert_scene_stats *stats, const struct scene *s)
+{
+	const struct accel_stats a = accel_statistics(s->accel);
+	stats->objects = a.objects;
+	stats->unbounded_objects = a.unbounded;
+	stats->accel_bytes = a.bytes;
+	stats->lights = s->light_count;
+}
+
+static struct scene *load(const char *path, const struct lambert_scene_options *o,
+	struct diag *diag, struct arena *arena, struct lambert_scene_stats *stats)
+{
+	const double start = cpu_seconds();
+	const struct parse_options files = parse_options_for(path, o, arena);
+	const struct ast *ast = parse_scene(path, NULL, 0, &files, diag, arena);
+	if (!ast)
+		return NULL;
+	const double parsed = cpu_seconds();
+	const struct lower_options lower = {
+		.width = o->width,
+		.height = o->height,
+		.quality = o->quality,
+		.output_alpha = o->output_alpha,
+		.working_version = (int)o->version,
+		.files = &files,
+	};
+	struct scene *scene = scene_create();
+	if (!lower_scene(ast, &lower, diag, scene)) {
+		scene_destroy(scene);
+		return NULL;
+	}
+	const double lowered = cpu_seconds();
+	scene_commit(scene, thread_count(o->threads));
+	fill_statistics(stats, scene);
+	stats->tokens = ast->token_count;
+	stats->parse_cpu = parsed - start;
+	stats->lower_cpu = lowered - parsed;
+	stats->build_cpu = cpu_seconds() - lowered;
+	return scene;
+}
+
+lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
+{
+	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)o);
+	struct arena *arena = arena_create(1 << 20);
+	struct lambert_scene_stats stats = { 0 };
+	struct scene *scene = load(path, o, diag, arena, &stats);
+	lambert_scene *handle = NULL;
+	if (scene) {
+		handle = memory_alloc(1, sizeof *handle);
+		*handle = (lambert_scene){ scene, o->width, o->height, stats };
+	}
+	arena_destroy(arena);
+	diag_destroy(diag);
+	return handle;
+}
+
+void lambert_scene_destroy(lambert_scene *s)
+{
+	if (!s)
+		return;
+	scene_destroy(s->scene);
+	free(s);
+}
+
+bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
+{
+	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)o);
+	struct arena *arena = arena_create(1 << 20);
+	const struct parse_options files = parse_options_for(path, o, arena);
+	const struct ast *ast = parse_scene(path, NULL, 0, &files, diag, arena);
+	if (ast)
+		ast_print_json(ast, diag, out);
+	arena_destroy(arena);
+	diag_destroy(diag);
+	return ast != NULL;
+}
+
+void lambert_scene_statistics(const lambert_scene *s, struct lambert_scene_stats *stats)
+{
+	*stats = s->stats;
+}
+
+/* ---- rendering ---- */
+
+void lambert_render_options_init(struct lambert_render_options *o)
+{
+	*o = (struct lambert_render_options){
+		.antialias_threshold = 0.3,
+		.antialias_depth = 3,
+		.antialias_jitter = 1,
+		.antialias_gamma = 2.5,
+		.block_size = 32,
+	};
+}
+
+static bool forward_progress(void *user, unsigned done, unsigned all)
+{
+	const struct lambert_render_options *o = user;
+	return !o->progress || o->progress(o->user, all ? (double)done / all : 1);
+}
+
+static struct exposure exposure_for(const lambert_scene *s, const struct lambert_render_options *o)
+{
+	const bool whole = !(o->left | o->top | o->right | o->bottom);
+	return (struct exposure){
+		.antialias = { o->antialias_method, o->antialias_threshold, o->antialias_depth,
+			o->antialias_jitter, o->antialias_gamma },
+		.left = o->left,
+		.top = o->top,
+		.right = whole ? s->width : o->right,
+		.bottom = whole ? s->height : o->bottom,
+		.block_size = o->block_size,
+		.threads = thread_count(o->threads),
+		.progress = forward_progress,
+		.user = (void *)(uintptr_t)o,
+	};
+}
+
+lambert_image *lambert_render(const lambert_scene *s, const struct lambert_render_options *o)
+{
+	const double cpu = cpu_seconds(), wall = wall_seconds();
+	struct film *film = film_create(s->width, s->height);
+	const struct exposure e = exposure_for(s, o);
+	struct trace_stats stats = { 0 };
+	const bool complete = film_expose(film, s->scene, &e, &stats);
+	if (o->stats)
+		*o->stats = (struct lambert_render_stats){
+			.camera_rays = stats.camera_rays,
+			.reflected_rays = stats.reflected_rays,
+			.refracted_rays = stats.refracted_rays,
+			.transmitted_rays = stats.transmitted_rays,
+			.shadow_rays = stats.shadow_rays,
+			.max_level = stats.max_level,
+			.trace_cpu = cpu_seconds() - cpu,
+			.trace_wall = wall_seconds() - wall,
+		};
+	if (!complete) {
+		film_destroy(film);
+		return NULL;
+	}
+	lambert_image *image = memory_alloc(1, sizeof *image);
+	*image = (lambert_image){ film, s->scene->settings.working,
+		s->scene->settings.output_alpha };
+	return image;
+}

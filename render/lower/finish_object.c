@@ -1,0 +1,453 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A complete top-level draft becomes objects and lights of the scene: looks,
+ * interiors and flags go from parent to child, unions are dissolved, what still
+ * has no texture gets the default one.
+ */
+#include "render/lower/draft.h"
+
+#include <stdlib.h>
+
+/* What a child takes from its parents. */
+struct heritage {
+	struct looks *texture, *interior_texture;
+	struct draft_interior *interior;
+	struct draft_interior **fallback; /* of the whole statement: made when first needed */
+	bool uv_mapping, no_shadow, no_image, no_reflection;
+	const struct light *const *lights;
+	bool global_lights;
+	const struct language_state *state;
+};
+
+struct object_list {
+	struct object **items;
+	size_t count, room;
+};
+
+static void list_add(struct object_list *list, struct object *o)
+{
+	if (list->count == list->room) {
+		list->room = list->room ? 2 * list->room : 8;
+		list->items = memory_grow(list->items, list->room, sizeof(struct object *));
+	}
+	list->items[list->count++] = o;
+}
+
+static void scene_add_object(struct scene *s, struct object *o)
+{
+	if (s->object_count == s->object_room) {
+		s->object_room = s->object_room ? 2 * s->object_room : 64;
+		s->objects = memory_grow(s->objects, s->object_room, sizeof(struct object *));
+	}
+	s->objects[s->object_count++] = o;
+}
+
+static void scene_add_light(struct scene *s, struct light *light)
+{
+	if (s->light_count == s->light_room) {
+		s->light_room = s->light_room ? 2 * s->light_room : 16;
+		s->lights = memory_grow(s->lights, s->light_room, sizeof(struct light *));
+	}
+	s->lights[s->light_count++] = light;
+}
+
+static void collect(
+	struct lowering *, struct draft *, const struct heritage *, struct object_list *);
+
+/* ---- looks ---- */
+
+static const struct texture *finish_looks(struct lowering *l, struct looks *looks, bool uv)
+{
+	if (!looks || !looks->state)
+		return NULL;
+	if (!looks->finished)
+		looks->finished = texture_state_finish(l, looks->state, uv);
+	return looks->finished;
+}
+
+/* One finished default texture for each #default in force. */
+static const struct texture *default_texture(struct lowering *l, const struct language_state *state)
+{
+	if (!l->default_texture || l->default_of != state->defaults) {
+		l->default_texture =
+			texture_state_finish(l, texture_state_default(l, state), false);
+		l->default_of = state->defaults;
+	}
+	return l->default_texture;
+}
+
+static struct heritage inherit(const struct heritage *parent, const struct draft *d)
+{
+	struct heritage h = *parent;
+	if (d->texture) {
+		h.texture = d->texture;
+		h.uv_mapping = d->uv_mapping;
+	}
+	if (d->interior_texture)
+		h.interior_texture = d->interior_texture;
+	if (d->interior)
+		h.interior = d->interior;
+	h.no_shadow |= d->no_shadow;
+	h.no_image |= d->no_image;
+	h.no_reflection |= d->no_reflection;
+	return h;
+}
+
+static const struct interior *finish_interior(struct lowering *l, struct draft_interior *i,
+	const struct draft *d, const struct looks *looks)
+{
+	if (i->finished)
+		return i->finished;
+	struct interior *finished = arena_copy(l->arena, &i->data, sizeof i->data);
+	double ior, caustics;
+	if (looks && looks->state && texture_state_interior(looks->state, &ior, &caustics)) {
+		finished->ior = ior > 0 ? ior : finished->ior;
+		finished->caustics = caustics != 0 ? caustics : finished->caustics;
+	}
+	finished->hollow = d->hollow;
+	i->finished = finished;
+	return finished;
+}
+
+/* Opaque objects are never entered, so those without an interior of their own can share one. */
+static const struct interior *shared_interior(struct lowering *l, bool hollow)
+{
+	struct interior **slot = &l->plain_interior[hollow];
+	if (!*slot) {
+		*slot = ARENA_NEW(l->arena, struct interior);
+		**slot = (struct interior){
+			.ior = 1, .dispersion = 1, .dispersion_samples = 7, .hollow = hollow
+		};
+	}
+	return *slot;
+}
+
+static const struct interior *interior_of(struct lowering *l, const struct draft *d,
+	const struct heritage *h, const struct texture *texture)
+{
+	if (h->interior)
+		return finish_interior(l, h->interior, d, h->texture);
+	if (texture->opaque)
+		return shared_interior(l, d->hollow);
+	if (!*h->fallback)
+		*h->fallback = lower_interior(l, NULL, NULL);
+	return finish_interior(l, *h->fallback, d, h->texture);
+}
+
+static uint32_t visibility(const struct heritage *h, bool opaque)
+{
+	uint32_t kinds = RAY_CAMERA | RAY_SECONDARY | RAY_REFLECTED;
+	if (h->no_image)
+		kinds &= ~(uint32_t)(RAY_CAMERA | RAY_SECONDARY);
+	if (h->no_reflection)
+		kinds &= ~(uint32_t)RAY_REFLECTED;
+	if (!h->no_shadow)
+		kinds |= opaque ? RAY_SHADOW_OPAQUE : RAY_SHADOW_TINTED;
+	return kinds;
+}
+
+static const struct object *const *finish_cutters(
+	struct lowering *l, struct draft *list, const struct heritage *h, uint32_t *count);
+
+static void finish_cutting(
+	struct lowering *l, const struct draft *d, const struct heritage *h, struct object *o)
+{
+	if (d->clips)
+		o->clips = finish_cutters(l, d->clips, h, &o->clip_count);
+}
+
+/* Everything about a leaf but its shape and place. */
+static void finish_leaf(
+	struct lowering *l, const struct draft *d, const struct heritage *h, struct object *o)
+{
+	o->texture = finish_looks(l, h->texture, h->uv_mapping);
+	if (!o->texture)
+		o->texture = default_texture(l, h->state);
+	o->interior_texture = finish_looks(l, h->interior_texture, h->uv_mapping);
+	o->interior = interior_of(l, d, h, o->texture);
+	o->uv_mapping = h->uv_mapping;
+	o->hollow = d->hollow;
+	o->double_illuminate = d->double_illuminate;
+	o->inverted = d->inverted;
+	o->normal_stays = o->shape->keeps_normal_inverted;
+	o->lights = h->lights;
+	o->global_lights = h->global_lights;
+	o->visible_to = visibility(
+		h, o->texture->opaque && (!o->interior_texture || o->interior_texture->opaque));
+	finish_cutting(l, d, h, o);
+	object_set_bounds(o);
+}
+
+static struct object *finish_shape(struct lowering *l, struct draft *d, const struct heritage *h)
+{
+	struct object *o = ARENA_NEW(l->arena, struct object);
+	o->shape = d->shape;
+	o->self = d->self;
+	const bool moved = d->is_placed && !transform_is_identity(&d->place);
+	/* uv coordinates of a sphere are those before its transformations */
+	if (moved && (h->uv_mapping || !d->shape->absorb || !d->shape->absorb(d->self, &d->place)))
+		o->place = arena_copy(l->arena, &d->place, sizeof d->place);
+	finish_leaf(l, d, h, o);
+	return o;
+}
+
+struct glyphs {
+	struct lowering *lowering;
+	const struct draft *draft;
+	const struct heritage *heritage;
+	struct object_list *out;
+};
+
+static void add_glyph(void *user, struct object *o)
+{
+	struct glyphs *g = user;
+	finish_leaf(g->lowering, g->draft, g->heritage, o);
+	list_add(g->out, o);
+}
+
+/* ---- compounds ---- */
+
+static struct object *wrap(struct lowering *l, enum csg_kind kind,
+	const struct object_list *children, const struct heritage *h)
+{
+	struct object *o = ARENA_NEW(l->arena, struct object);
+	struct csg *csg = ARENA_NEW(l->arena, struct csg);
+	csg->kind = kind;
+	csg->count = children->count;
+	csg->children =
+		arena_copy(l->arena, children->items, children->count * sizeof(struct object *));
+	bool opaque = true, any_shadow = false;
+	for (size_t i = 0; i < children->count; i++) {
+		any_shadow |= (children->items[i]->visible_to &
+				      (RAY_SHADOW_OPAQUE | RAY_SHADOW_TINTED)) != 0;
+		opaque &= (children->items[i]->visible_to & RAY_SHADOW_TINTED) == 0 &&
+			  (!children->items[i]->texture || children->items[i]->texture->opaque);
+	}
+	struct heritage own = *h;
+	own.no_shadow |= kind == CSG_UNION && !any_shadow;
+	o->shape = &shape_csg;
+	o->self = csg;
+	o->global_lights = h->global_lights;
+	o->lights = h->lights;
+	o->visible_to = visibility(&own, opaque);
+	return o;
+}
+
+/* A child of a compound must be one object. */
+static struct object *collect_one(struct lowering *l, struct draft *d, const struct heritage *h)
+{
+	struct object_list list = { NULL, 0, 0 };
+	collect(l, d, h, &list);
+	struct object *o = list.count == 1 ? list.items[0] : NULL;
+	if (!o) {
+		const bool inverted_text = d->kind == DRAFT_TEXT && d->inverted;
+		o = wrap(l, inverted_text ? CSG_INTERSECTION : CSG_UNION, &list, h);
+		object_set_bounds(o);
+	}
+	free(list.items);
+	return o;
+}
+
+static const struct object *const *finish_cutters(
+	struct lowering *l, struct draft *list, const struct heritage *h, uint32_t *count)
+{
+	const struct heritage plain = { .fallback = h->fallback, .state = h->state };
+	struct object_list cutters = { NULL, 0, 0 };
+	for (struct draft *d = list; d; d = d->next)
+		list_add(&cutters, collect_one(l, d, &plain));
+	*count = (uint32_t)cutters.count;
+	const struct object *const *copy =
+		arena_copy(l->arena, cutters.items, cutters.count * sizeof(struct object *));
+	free(cutters.items);
+	return copy;
+}
+
+static box hull_of(const struct object_list *list)
+{
+	box hull = box_nothing();
+	for (size_t i = 0; i < list->count; i++)
+		hull = box_union(hull, list->items[i]->bounds);
+	return hull;
+}
+
+/* Whether a convex bound holds the whole box: then it can be dropped. */
+static bool holds_box(const struct object *bound, box b)
+{
+	if (box_is_unbounded(b) || !bound->shape->is_convex || bound->clip_count || bound->inverted)
+		return false;
+	for (int corner = 0; corner < 8; corner++) {
+		const vec3 p = vec(corner & 1 ? b.hi.x : b.lo.x, corner & 2 ? b.hi.y : b.lo.y,
+			corner & 4 ? b.hi.z : b.lo.z);
+		if (!object_inside(bound, p))
+			return false;
+	}
+	return true;
+}
+
+/* The user's bounds that can cut something off the objects in the list. */
+static void finish_bounds(struct lowering *l, struct draft *d, const struct heritage *h,
+	const struct object_list *list, const struct object *const **bounds, uint32_t *count)
+{
+	*bounds = NULL;
+	*count = 0;
+	if (!d->bounds || d->bounds_are_clips)
+		return;
+	uint32_t all = 0, tight = 0;
+	const struct object *const *made = finish_cutters(l, d->bounds, h, &all);
+	const box hull = hull_of(list);
+	for (uint32_t i = 0; i < all; i++)
+		tight += !holds_box(made[i], hull);
+	if (tight) {
+		*bounds = made;
+		*count = all;
+	}
+}
+
+static void intersect_bounds(struct object *o, const struct object *const *bounds, uint32_t count)
+{
+	for (uint32_t i = 0; i < count; i++) {
+		if (!bounds[i]->inverted && !box_is_unbounded(bounds[i]->bounds))
+			o->bounds = box_intersection(o->bounds, bounds[i]->bounds);
+	}
+}
+
+static void collect_union(
+	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
+{
+	struct object_list members = { NULL, 0, 0 };
+	for (struct draft *child = d->children; child; child = child->next)
+		collect(l, child, h, &members);
+	const struct object *const *bounds;
+	uint32_t bound_count;
+	finish_bounds(l, d, h, &members, &bounds, &bound_count);
+	if (!d->clips && !bound_count && d->split_union) {
+		for (size_t i = 0; i < members.count; i++)
+			list_add(out, members.items[i]);
+	} else if (members.count) {
+		struct object *o = wrap(l, CSG_UNION, &members, h);
+		finish_cutting(l, d, h, o);
+		o->bounds_by = bounds;
+		o->bound_count = bound_count;
+		object_set_bounds(o);
+		intersect_bounds(o, bounds, bound_count);
+		list_add(out, o);
+	}
+	free(members.items);
+}
+
+static void collect_compound(
+	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
+{
+	struct object_list members = { NULL, 0, 0 };
+	for (struct draft *child = d->children; child; child = child->next) {
+		if (child->kind == DRAFT_LIGHT)
+			collect(l, child, h, out);
+		else
+			list_add(&members, collect_one(l, child, h));
+	}
+	if (members.count) {
+		struct object *o = wrap(l, d->csg, &members, h);
+		finish_cutting(l, d, h, o);
+		object_set_bounds(o);
+		struct object_list self = { &o, 1, 1 };
+		finish_bounds(l, d, h, &self, &o->bounds_by, &o->bound_count);
+		intersect_bounds(o, o->bounds_by, o->bound_count);
+		list_add(out, o);
+	}
+	free(members.items);
+}
+
+/* ---- lights ---- */
+
+static void collect_light(struct lowering *l, struct draft *d, const struct heritage *h,
+	bool in_group, struct object_list *out)
+{
+	light_finish(d->light);
+	d->light->group_only = in_group;
+	if (d->light->area_count_u > 0 && l->options->quality >= 5)
+		lower_unsupported(l, d->node, "area_light");
+	if (d->projected_through) {
+		const struct heritage plain = { .fallback = h->fallback, .state = h->state };
+		d->light->projected_through = collect_one(l, d->projected_through, &plain);
+	}
+	scene_add_light(l->scene, d->light);
+	if (d->looks_like) {
+		const struct heritage lamp = { .fallback = h->fallback,
+			.state = h->state,
+			.no_shadow = true,
+			.global_lights = true };
+		collect(l, d->looks_like, &lamp, out);
+	}
+}
+
+/* A light_group: its own lights shine on its objects only. */
+static void collect_group(
+	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
+{
+	size_t count = 0;
+	for (struct draft *child = d->children; child; child = child->next)
+		count += child->kind == DRAFT_LIGHT;
+	const struct light **lights = ARENA_ARRAY(l->arena, count + 1, const struct light *);
+	size_t i = 0;
+	for (struct draft *child = d->children; child; child = child->next) {
+		if (child->kind == DRAFT_LIGHT)
+			lights[i++] = child->light;
+	}
+	struct heritage own = *h;
+	own.lights = lights;
+	own.global_lights = d->global_lights;
+	for (struct draft *child = d->children; child; child = child->next) {
+		if (child->kind == DRAFT_LIGHT)
+			collect_light(l, child, h, true, out);
+		else
+			collect(l, child, &own, out);
+	}
+}
+
+static void collect(
+	struct lowering *l, struct draft *d, const struct heritage *parent, struct object_list *out)
+{
+	const struct heritage h = inherit(parent, d);
+	switch (d->kind) {
+	case DRAFT_LIGHT:
+		collect_light(l, d, &h, false, out);
+		break;
+	case DRAFT_GROUP:
+		collect_group(l, d, &h, out);
+		break;
+	case DRAFT_CSG:
+		if (d->csg == CSG_UNION)
+			collect_union(l, d, &h, out);
+		else
+			collect_compound(l, d, &h, out);
+		break;
+	case DRAFT_TEXT: {
+		struct glyphs glyphs = { l, d, &h, out };
+		lower_text(l, d->node, &d->place, add_glyph, &glyphs);
+		break;
+	}
+	case DRAFT_SHAPE: {
+		struct object *o = finish_shape(l, d, &h);
+		struct object_list self = { &o, 1, 1 };
+		const struct object *const *bounds;
+		uint32_t bound_count;
+		finish_bounds(l, d, &h, &self, &bounds, &bound_count);
+		intersect_bounds(o, bounds, bound_count);
+		list_add(out, o);
+		break;
+	}
+	}
+}
+
+void draft_emit(struct lowering *l, struct draft *d, const struct language_state *state)
+{
+	struct draft_interior *fallback = NULL;
+	const struct heritage none = {
+		.fallback = &fallback, .global_lights = true, .state = state
+	};
+	struct object_list list = { NULL, 0, 0 };
+	collect(l, d, &none, &list);
+	for (size_t i = 0; i < list.count; i++)
+		scene_add_object(l->scene, list.items[i]);
+	free(list.items);
+}

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The top level of a scene: each statement to the file that knows it.
+ */
+#include "render/lower/lower.h"
+
+#include "render/lower/draft.h"
+
+/* With this many errors the rest is likely to repeat them. */
+enum { ERRORS_MAX = 20 };
+
+static void lower_object_statement(struct lowering *l, const struct node *n)
+{
+	struct draft *d = draft_from_node(l, n);
+	if (d)
+		draft_emit(l, d, n->state);
+}
+
+static void camera_statement(struct lowering *l, const struct node *n)
+{
+	if (l->cameras++)
+		diag_warning(l->diag, n->word, "a second camera: the last one is used");
+	lower_camera(l, n);
+}
+
+static void statement(struct lowering *l, const struct node *n)
+{
+	switch (n->keyword) {
+	case K_CAMERA:
+		camera_statement(l, n);
+		break;
+	case K_GLOBAL_SETTINGS:
+		lower_global_settings(l, n);
+		break;
+	case K_BACKGROUND:
+		lower_background(l, n);
+		break;
+	case K_FOG:
+		if (l->options->quality >= 9)
+			lower_fog(l, n);
+		break;
+	case K_SKY_SPHERE:
+		lower_sky_sphere(l, n);
+		break;
+	default:
+		if (node_is_object(n))
+			lower_object_statement(l, n);
+		else
+			lower_unsupported(l, n, keyword_name(n->keyword));
+	}
+}
+
+bool lower_scene(const struct ast *ast, const struct lower_options *options, struct diag *diag,
+	struct scene *scene)
+{
+	struct lowering l = {
+		.scene = scene,
+		.arena = scene->arena,
+		.diag = diag,
+		.ast = ast,
+		.options = options,
+	};
+	settings_begin(&l);
+	for (const struct node *n = ast->statements; n; n = n->next) {
+		statement(&l, n);
+		if (diag_errors(diag) >= ERRORS_MAX) {
+			diag_error(diag, n->span, "too many errors: stopped here");
+			return false;
+		}
+	}
+	if (!l.cameras)
+		lower_camera(&l, NULL);
+	if (!scene->object_count)
+		diag_warning(diag, NO_SPAN, "the scene has no objects");
+	return diag_errors(diag) == 0;
+}

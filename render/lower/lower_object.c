@@ -1,0 +1,349 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Object statements to drafts: primitives by their parameter tables, CSG by
+ * their children, declared objects by copying.
+ */
+#include "render/lower/draft.h"
+
+#include "render/lower/draft_cache.h"
+
+#include <string.h>
+
+static bool is_csg_keyword(enum keyword k)
+{
+	return k == K_UNION || k == K_MERGE || k == K_INTERSECTION || k == K_DIFFERENCE ||
+	       k == K_COMPOSITE;
+}
+
+/* Primitives of the language that lambert does not render yet. */
+static bool is_known_primitive(enum keyword k)
+{
+	switch (k) {
+	case K_BICUBIC_PATCH:
+	case K_BLOB:
+	case K_CUBIC:
+	case K_HEIGHT_FIELD:
+	case K_ISOSURFACE:
+	case K_JULIA_FRACTAL:
+	case K_LATHE:
+	case K_MESH:
+	case K_MESH2:
+	case K_OVUS:
+	case K_PARAMETRIC:
+	case K_POLY:
+	case K_POLYGON:
+	case K_POLYNOMIAL:
+	case K_PRISM:
+	case K_QUADRIC:
+	case K_QUARTIC:
+	case K_SOR:
+	case K_SPHERE_SWEEP:
+	case K_SUPERELLIPSOID:
+		return true;
+	default:
+		return false;
+	}
+}
+
+bool node_is_object(const struct node *item)
+{
+	const enum keyword k = node_resolve(item)->keyword;
+	return is_csg_keyword(k) || k == K_OBJECT || k == K_TEXT || k == K_LIGHT_SOURCE ||
+	       k == K_LIGHT_GROUP || is_known_primitive(k) || shape_find(keyword_name(k));
+}
+
+static struct draft *draft_create(struct lowering *l, enum draft_kind kind, const struct node *n)
+{
+	struct draft *d = ARENA_NEW(l->arena, struct draft);
+	d->kind = kind;
+	d->node = n;
+	d->place = transform_identity();
+	d->split_union = true;
+	return d;
+}
+
+static struct looks *looks_copy(struct lowering *l, const struct looks *looks)
+{
+	if (!looks)
+		return NULL;
+	struct looks *copy = ARENA_NEW(l->arena, struct looks);
+	copy->state = texture_state_copy(l, looks->state);
+	return copy;
+}
+
+static struct draft_interior *interior_copy(struct lowering *l, const struct draft_interior *i)
+{
+	return i ? arena_copy(l->arena, i, sizeof *i) : NULL;
+}
+
+static struct draft *draft_copy(struct lowering *l, const struct draft *d);
+
+static struct draft *list_copy(struct lowering *l, const struct draft *list)
+{
+	struct draft *first = NULL, **end = &first;
+	for (; list; list = list->next) {
+		*end = draft_copy(l, list);
+		end = &(*end)->next;
+	}
+	return first;
+}
+
+static struct draft *draft_copy(struct lowering *l, const struct draft *d)
+{
+	struct draft *copy = arena_copy(l->arena, d, sizeof *d);
+	copy->next = NULL;
+	copy->children = list_copy(l, d->children);
+	if (d->self)
+		copy->self = arena_copy(l->arena, d->self, d->shape->size);
+	if (d->light)
+		copy->light = arena_copy(l->arena, d->light, sizeof *d->light);
+	copy->looks_like = d->looks_like ? draft_copy(l, d->looks_like) : NULL;
+	copy->projected_through = d->projected_through ? draft_copy(l, d->projected_through) : NULL;
+	copy->texture = looks_copy(l, d->texture);
+	copy->interior_texture = looks_copy(l, d->interior_texture);
+	copy->interior = interior_copy(l, d->interior);
+	copy->clips = list_copy(l, d->clips);
+	copy->bounds = d->bounds_are_clips ? copy->clips : list_copy(l, d->bounds);
+	return copy;
+}
+
+static void list_transform(struct lowering *l, struct draft *list, const transform *t)
+{
+	for (; list; list = list->next)
+		draft_transform(l, list, t);
+}
+
+void draft_transform(struct lowering *l, struct draft *d, const transform *t)
+{
+	list_transform(l, d->clips, t);
+	if (!d->bounds_are_clips)
+		list_transform(l, d->bounds, t);
+	if (d->texture && !d->uv_mapping)
+		texture_state_transform(l, d->texture->state, t);
+	if (d->interior_texture && !d->uv_mapping)
+		texture_state_transform(l, d->interior_texture->state, t);
+	list_transform(l, d->children, t);
+	if (d->kind == DRAFT_LIGHT) {
+		light_transform(d->light, t);
+		list_transform(l, d->looks_like, t);
+		list_transform(l, d->projected_through, t);
+	} else {
+		d->place = transform_compose(&d->place, t);
+		d->is_placed = true;
+	}
+}
+
+/* ---- primitives ---- */
+
+struct build_report {
+	struct lowering *lowering;
+	const struct node *node;
+};
+
+static void build_error(void *user, const char *message)
+{
+	const struct build_report *r = user;
+	diag_error(r->lowering->diag, r->node->span, "%s", message);
+}
+
+static void build_warning(void *user, const char *message)
+{
+	const struct build_report *r = user;
+	diag_warning(r->lowering->diag, r->node->span, "%s", message);
+}
+
+/* Fills the instance from the arguments, in order, and the flag words among the items. */
+static void fill_params(
+	struct lowering *l, const struct node *n, const struct param *params, void *self)
+{
+	uint32_t index = 0;
+	for (const struct param *p = params; p->type != PARAM_TYPE_END; p++) {
+		void *field = (char *)self + p->offset;
+		switch (p->type) {
+		case PARAM_TYPE_FLOAT:
+			*(double *)field = lower_float(l, n, index++, p->name);
+			break;
+		case PARAM_TYPE_VECTOR:
+			*(vec3 *)field = lower_vector(l, n, index++, p->name);
+			break;
+		case PARAM_TYPE_OPTIONAL:
+			if (index < n->arg_count)
+				*(double *)field = lower_float(l, n, index++, p->name);
+			break;
+		case PARAM_TYPE_FLAG:
+			for (const struct node *item = n->children; item; item = item->next) {
+				if (strcmp(keyword_name(item->keyword), p->name) == 0)
+					*(bool *)field = lower_switch(l, item, true);
+			}
+			break;
+		case PARAM_TYPE_END:
+			break;
+		}
+	}
+	if (index < n->arg_count)
+		diag_error(l->diag, n->args[index].span, "%s has one value too many",
+			keyword_name(n->keyword));
+}
+
+static bool is_flag_of(const struct shape_class *shape, const struct node *item)
+{
+	for (const struct param *p = shape->params; p && p->type != PARAM_TYPE_END; p++) {
+		if (p->type == PARAM_TYPE_FLAG && strcmp(keyword_name(item->keyword), p->name) == 0)
+			return true;
+	}
+	return false;
+}
+
+static struct draft *draft_primitive(
+	struct lowering *l, const struct node *n, const struct shape_class *shape)
+{
+	struct draft *d = draft_create(l, DRAFT_SHAPE, n);
+	const unsigned before = diag_errors(l->diag);
+	d->shape = shape;
+	d->self = arena_alloc(l->arena, shape->size);
+	fill_params(l, n, shape->params, d->self);
+	struct build_report report = { l, n };
+	struct shape_build build = {
+		.arena = l->arena, .user = &report, .error = build_error, .warning = build_warning
+	};
+	if (shape->build && diag_errors(l->diag) == before)
+		shape->build(d->self, &build);
+	if (build.dropped) { /* an empty union in its place */
+		d->kind = DRAFT_CSG;
+		d->csg = CSG_UNION;
+		d->shape = NULL;
+		d->self = NULL;
+	}
+	for (const struct node *item = n->children; item; item = item->next) {
+		if (!is_flag_of(shape, item))
+			draft_modify(l, d, item);
+	}
+	return d;
+}
+
+/* ---- compounds ---- */
+
+static void read_children(struct lowering *l, const struct node *n, struct draft *d)
+{
+	struct draft **end = &d->children;
+	bool first = true;
+	for (const struct node *item = n->children; item; item = item->next) {
+		if (!node_is_object(item))
+			continue;
+		struct draft *child = draft_from_node(l, item);
+		if (!child)
+			continue;
+		if (d->is_difference && !first && child->kind != DRAFT_LIGHT)
+			draft_invert(child);
+		first = first && child->kind == DRAFT_LIGHT;
+		*end = child;
+		end = &child->next;
+	}
+}
+
+static void read_modifiers(struct lowering *l, const struct node *n, struct draft *d)
+{
+	for (const struct node *item = n->children; item; item = item->next) {
+		if (!node_is_object(item))
+			draft_modify(l, d, item);
+	}
+}
+
+static struct draft *draft_csg(struct lowering *l, const struct node *n)
+{
+	struct draft *d = draft_create(l, DRAFT_CSG, n);
+	d->is_difference = n->keyword == K_DIFFERENCE;
+	d->csg = n->keyword == K_MERGE				      ? CSG_MERGE
+		 : n->keyword == K_UNION || n->keyword == K_COMPOSITE ? CSG_UNION
+								      : CSG_INTERSECTION;
+	read_children(l, n, d);
+	read_modifiers(l, n, d);
+	return d;
+}
+
+static struct draft *draft_light(struct lowering *l, const struct node *n)
+{
+	struct draft *d = draft_create(l, DRAFT_LIGHT, n);
+	d->light = ARENA_NEW(l->arena, struct light);
+	light_defaults(d->light);
+	lower_light_items(l, n, d);
+	return d;
+}
+
+static struct draft *draft_group(struct lowering *l, const struct node *n)
+{
+	struct draft *d = draft_create(l, DRAFT_GROUP, n);
+	read_children(l, n, d);
+	for (const struct node *item = n->children; item; item = item->next) {
+		if (node_is_object(item))
+			continue;
+		if (item->keyword == K_GLOBAL_LIGHTS)
+			d->global_lights = lower_switch(l, item, true);
+		else if (item->keyword != K_PHOTONS)
+			draft_modify(l, d, item);
+	}
+	return d;
+}
+
+static struct draft *draft_text(struct lowering *l, const struct node *n)
+{
+	struct draft *d = draft_create(l, DRAFT_TEXT, n);
+	read_modifiers(l, n, d);
+	return d;
+}
+
+/* object { S modifiers } */
+static struct draft *draft_object(struct lowering *l, const struct node *n)
+{
+	const struct node *inner = n->children;
+	while (inner && !node_is_object(inner))
+		inner = inner->next;
+	if (!inner) {
+		diag_error(l->diag, n->span, "object needs an object between its braces");
+		return NULL;
+	}
+	struct draft *d = draft_from_node(l, inner);
+	if (d)
+		read_modifiers(l, n, d);
+	return d;
+}
+
+static struct draft *draft_statement(struct lowering *l, const struct node *n)
+{
+	if (n->keyword == K_OBJECT)
+		return draft_object(l, n);
+	if (is_csg_keyword(n->keyword))
+		return draft_csg(l, n);
+	if (n->keyword == K_LIGHT_SOURCE)
+		return draft_light(l, n);
+	if (n->keyword == K_LIGHT_GROUP)
+		return draft_group(l, n);
+	if (n->keyword == K_TEXT)
+		return draft_text(l, n);
+	const struct shape_class *shape = shape_find(keyword_name(n->keyword));
+	if (shape && shape->params)
+		return draft_primitive(l, n, shape);
+	lower_unsupported(l, n, keyword_name(n->keyword));
+	return NULL;
+}
+
+struct draft *draft_from_node(struct lowering *l, const struct node *item)
+{
+	if (item->keyword != K_REFERENCE)
+		return draft_statement(l, item);
+	const struct node *n = node_resolve(item);
+	const struct draft *declared = draft_cache_find(l, n);
+	if (!declared) {
+		struct draft *fresh = draft_statement(l, n);
+		if (!fresh)
+			return NULL;
+		draft_cache_add(l, n, fresh);
+		declared = fresh;
+	}
+	return draft_copy(l, declared);
+}
+
+struct draft *draft_from_block(struct lowering *l, const struct node *n)
+{
+	return draft_object(l, n);
+}

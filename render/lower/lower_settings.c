@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * global_settings { … } and what is settled at the end of the scene.
+ */
+#include "render/lower/draft.h"
+
+enum { TRACE_LEVEL_MAX = 256 };
+
+static void set_trace_level(struct lowering *l, const struct node *item)
+{
+	int level = (int)lower_float(l, item, 0, "a number");
+	if (level > TRACE_LEVEL_MAX) {
+		diag_warning(l->diag, item->span,
+			"max_trace_level %d is above the limit: %d is used", level,
+			TRACE_LEVEL_MAX);
+		level = TRACE_LEVEL_MAX;
+	}
+	l->scene->settings.max_trace_level = level < 1 ? 1 : level;
+}
+
+/* Items that only matter to what is refused elsewhere, are read by others, or have no effect. */
+static bool is_read_elsewhere(enum keyword k)
+{
+	switch (k) {
+	case K_ASSUMED_GAMMA:	/* the parser: it decides what srgb colours are */
+	case K_NOISE_GENERATOR: /* the parser, for the language state */
+	case K_CHARSET:
+	case K_NUMBER_OF_WAVES: /* the textures */
+	case K_MAX_INTERSECTIONS:
+	case K_MM_PER_UNIT: /* of subsurface */
+	case K_SUBSURFACE:  /* refused in the finish that uses it */
+		return true;
+	default:
+		return false;
+	}
+}
+
+static void setting(struct lowering *l, const struct node *item)
+{
+	struct settings *s = &l->scene->settings;
+	switch (item->keyword) {
+	case K_ADC_BAILOUT:
+		s->adc_bailout = (float)lower_float(l, item, 0, "a number");
+		break;
+	case K_AMBIENT_LIGHT:
+		s->ambient_light = lower_rgb(l, item, 0, "a colour");
+		break;
+	case K_IRID_WAVELENGTH:
+		s->irid_wavelength = lower_rgb(l, item, 0, "a colour");
+		break;
+	case K_MAX_TRACE_LEVEL:
+		set_trace_level(l, item);
+		break;
+	case K_HF_GRAY_16:
+		diag_warning(l->diag, item->word,
+			"hf_gray_16 has no effect: ask for grayscale output instead");
+		break;
+	case K_RADIOSITY:
+		if (s->quality >= 9)
+			lower_unsupported(l, item, "radiosity");
+		break;
+	case K_PHOTONS:
+		if (s->quality >= 9)
+			lower_unsupported(l, item, "photons");
+		break;
+	default:
+		if (!is_read_elsewhere(item->keyword))
+			lower_unsupported(l, item, keyword_name(item->keyword));
+	}
+}
+
+void lower_global_settings(struct lowering *l, const struct node *n)
+{
+	for (const struct node *item = n->children; item; item = item->next)
+		setting(l, item);
+}
+
+/* The curve between the numbers of the scene and linear light. */
+static struct working_space working_space_of(const struct language_state *state, int option_version)
+{
+	if (state->assumed_gamma < 0)
+		return (struct working_space){ TRANSFER_SRGB, 0 };
+	if (state->assumed_gamma > 0) {
+		/* a power within 1 % of 1 counts as linear */
+		if (fabsf(1 - 1 / state->assumed_gamma) <= 0.01f)
+			return (struct working_space){ TRANSFER_LINEAR, 1 };
+		return (struct working_space){ TRANSFER_POWER, state->assumed_gamma };
+	}
+	const int version = state->version_set ? state->version : 362;
+	if (version < 370 && option_version < 370)
+		return (struct working_space){ TRANSFER_NONE, 0 };
+	return (struct working_space){ TRANSFER_LINEAR, 1 };
+}
+
+void settings_begin(struct lowering *l)
+{
+	const struct language_state *final = &l->ast->final;
+	struct settings *s = &l->scene->settings;
+	const int version = final->version_set ? final->version : 362;
+	*s = (struct settings){
+		.version = version < 350 ? 350 : version,
+		.max_trace_level = 5,
+		.adc_bailout = 1.0f / 255,
+		.ambient_light = { 1, 1, 1 },
+		.irid_wavelength = { 0.70f, 0.52f, 0.48f },
+		.quality = l->options->quality,
+		.output_alpha = l->options->output_alpha,
+		.working = working_space_of(final, l->options->working_version),
+		.noise_generator = final->noise_generator  ? final->noise_generator
+				   : final->version >= 350 ? 2
+							   : 1,
+	};
+	/* without a background statement: nothing, which is transparent if alpha is wanted */
+	l->scene->background = (colour){ 0, 0, 0, 0, l->options->output_alpha ? 1.0f : 0.0f };
+}
