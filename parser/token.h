@@ -60,6 +60,9 @@ void expand_unread(struct parser *, int token, const struct token_value *, span)
 void symbol_assign(struct parser *, struct symbol *, const struct value *);
 /* The same through token_value.slot, which reaches array elements too. */
 void slot_assign(struct parser *, struct value *slot, const struct value *);
+/* What a symbol holds and is called. A declared-but-empty one holds VALUE_NONE. */
+const struct value *symbol_value(const struct symbol *);
+const char *symbol_name(const struct symbol *);
 /* Function parameters hide identifiers while a function body is read. */
 void expand_push_names(struct parser *, const char *const *names, size_t count);
 void expand_pop_names(struct parser *);
