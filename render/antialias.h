@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * From samples to the pixels of one block, with or without antialiasing.
+ */
+#ifndef LAMBERT_RENDER_ANTIALIAS_H
+#define LAMBERT_RENDER_ANTIALIAS_H
+
+#include "render/film.h"
+
+#include <stdint.h>
+
+/* First and one past the last pixel. */
+struct block {
+	unsigned left, top, right, bottom;
+};
+
+/* A sample and what comparisons see of it. */
+struct sample {
+	colour colour;
+	float code[3];
+	bool fine; /* method 1: has been supersampled */
+};
+
+/* One thread's sampling of blocks. */
+struct sampler {
+	struct worker *worker;
+	struct antialias settings;
+	bool encodes, decodes_srgb; /* how comparisons see colours */
+	float exponent;
+	double jitter;		/* displacement at most, in pixels */
+	struct sample *samples; /* of the block: pixel centres or corners, and a border */
+	struct sample *grid;	/* method 2: of the pixel in hand */
+	uint32_t *drawn;	/* the pixel a sample of the grid was drawn for */
+	uint32_t pixel;		/* counts pixels */
+};
+
+/* A sampler for blocks of at most block_size pixels a side. */
+void sampler_init(struct sampler *, struct worker *, const struct antialias *, const struct scene *,
+	unsigned block_size);
+void sampler_finish(struct sampler *);
+/* Fills the pixels of the block, reading no others: blocks do not depend on each other. */
+void sampler_block(struct sampler *, struct film *, struct block);
+
+#endif
