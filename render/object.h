@@ -70,11 +70,16 @@ struct hit {
 	double u, v;		     /* for the shape: barycentrics, spline parameter … */
 };
 
-/* A growing list of hits. Zero-initialise; release with hits_release. */
+/* A growing list of hits. Zero-initialise, or hits_init with a buffer of the caller, which spares
+ * the allocation in all usual cases; release with hits_release. */
 struct hits {
 	struct hit *items;
 	size_t count, room;
+	bool borrowed; /* items is the caller's buffer */
 };
+/* Hits a caller on the render path should have room for on its stack. */
+#define HITS_ROOM 16
+void hits_init(struct hits *, struct hit *buffer, size_t room);
 /* Appends a hit with the given parameter; object is filled in by object_hits. */
 struct hit *hits_push(struct hits *, double t);
 void hits_release(struct hits *);
@@ -94,7 +99,8 @@ bool object_is_solid(const struct object *);
 vec3 object_normal(const struct hit *, vec3 p);
 /* uv coordinates of a hit; shapes without their own give the world x and y. */
 void object_uv(const struct hit *, vec3 p, double uv[2]);
-/* Fills `bounds` from shape, place, clips (called once by lowering, when all else is set). */
+/* Fills `bounds` from shape, place, clips and kept bounds, whose own bounds are set before (called
+ * once by lowering, when all else is set). Empty, see box_is_empty, when nothing can be hit. */
 void object_set_bounds(struct object *);
 
 #endif

@@ -63,6 +63,7 @@ struct shape_class {
 	const struct param *params; /* NULL: lowering has its own file for this shape */
 	bool is_patch;		    /* has no inside */
 	bool is_compound;	    /* children are objects and hits already name their leaf */
+	bool is_convex;     /* holds every segment between two of its points */
 	bool keeps_normal_inverted; /* `inverse` does not negate the raw normal (plane, quadric) */
 
 	/* Checks the parameters and derives what tracing needs. NULL: nothing to do. */
@@ -74,6 +75,9 @@ struct shape_class {
 	void (*invert)(void *self);
 	/* In shape space; box_everything() when unbounded. */
 	box (*bounds)(const void *self);
+	/* A sphere around it that is much tighter than its box, in shape space; rays that miss it are
+	 * not even asked about. NULL or false: none. */
+	bool (*enclosing_sphere)(const void *self, vec3 *centre, double *radius);
 	/* The first crossing with tmin <= t < tmax. NULL: found through `hits`. */
 	bool (*nearest)(const void *self, const ray *, double tmin, double tmax, struct hit *);
 	/* Every crossing with tmin < t < tmax. */
@@ -82,8 +86,10 @@ struct shape_class {
 	bool (*inside)(const void *self, vec3 p);
 	/* Outward, any length. */
 	vec3 (*normal)(const void *self, const struct hit *, vec3 p);
-	/* NULL: world x and y. */
-	void (*uv)(const void *self, const struct hit *, vec3 p, double uv[2]);
+	/* NULL: world x and y. `absorbed`: the transformation the instance has taken in since it
+	 * was written, or NULL; only a shape that absorbs more than moving needs it. */
+	void (*uv)(const void *self, const struct hit *, vec3 p, const transform *absorbed,
+		double uv[2]);
 };
 
 /* The class of a scene-language word, or NULL. */

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a ray finds of an object: the shape's answer, carried between its own
+ * space and the world, cut by the clips. The usual object has neither clips nor
+ * bounds and costs one comparison on top of its shape.
+ */
+#include "render/object.h"
+#include "render/shape.h"
+
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- lists of hits ---- */
+
+void hits_init(struct hits *hits, struct hit *buffer, size_t room)
+{
+	*hits = (struct hits){ .items = buffer, .room = room, .borrowed = true };
+}
+
+static void hits_grow(struct hits *hits)
+{
+	const size_t room = hits->room < HITS_ROOM ? 2 * HITS_ROOM : 2 * hits->room;
+	if (hits->borrowed) {
+		struct hit *items = memory_alloc(room, sizeof *items);
+		memcpy(items, hits->items, hits->count * sizeof *items);
+		hits->items = items;
+		hits->borrowed = false;
+	} else {
+		hits->items = memory_grow(hits->items, room, sizeof *hits->items);
+	}
+	hits->room = room;
+}
+
+struct hit *hits_push(struct hits *hits, double t)
+{
+	if (hits->count == hits->room)
+		hits_grow(hits);
+	struct hit *hit = &hits->items[hits->count++];
+	*hit = (struct hit){ .t = t };
+	return hit;
+}
+
+void hits_release(struct hits *hits)
+{
+	if (!hits->borrowed)
+		free(hits->items);
+	*hits = (struct hits){ 0 };
+}
+
+/* ---- clips and bounds ---- */
+
+static bool inside_all(const struct object *const *objects, uint32_t count, vec3 p)
+{
+	for (uint32_t i = 0; i < count; i++) {
+		if (!object_inside(objects[i], p))
+			return false;
+	}
+	return true;
+}
+
+/* Whether the ray meets every object of bounded_by, or starts inside. */
+static bool within_bounds(const struct object *o, const ray *r)
+{
+	for (uint32_t i = 0; i < o->bound_count; i++) {
+		struct hit hit;
+		if (!object_nearest(o->bounds_by[i], r, T_MIN, T_MISS, &hit) &&
+			!object_inside(o->bounds_by[i], r->origin))
+			return false;
+	}
+	return true;
+}
+
+/* ---- rays ---- */
+
+static void keep_clipped(const struct object *o, const ray *r, size_t first, struct hits *out)
+{
+	size_t kept = first;
+	for (size_t i = first; i < out->count; i++) {
+		if (inside_all(o->clips, o->clip_count, ray_at(*r, out->items[i].t)))
+			out->items[kept++] = out->items[i];
+	}
+	out->count = kept;
+}
+
+static void shape_hits(
+	const struct object *o, const ray *r, double tmin, double tmax, struct hits *out)
+{
+	const size_t first = out->count;
+	if (o->place) {
+		const ray local = transform_ray_back(o->place, *r);
+		o->shape->hits(o->self, &local, tmin, tmax, out);
+	} else {
+		o->shape->hits(o->self, r, tmin, tmax, out);
+	}
+	if (o->shape->is_compound)
+		return;
+	for (size_t i = first; i < out->count; i++)
+		out->items[i].object = o;
+}
+
+void object_hits(const struct object *o, const ray *r, double tmin, double tmax, struct hits *out)
+{
+	if (o->bound_count && !within_bounds(o, r))
+		return;
+	const size_t first = out->count;
+	shape_hits(o, r, tmin, tmax, out);
+	if (o->clip_count)
+		keep_clipped(o, r, first, out);
+}
+
+/* The nearest of all hits; the later of equal ones. `hits` excludes tmin itself, so the interval is
+ * opened by one step. */
+static bool nearest_of_hits(
+	const struct object *o, const ray *r, double tmin, double tmax, struct hit *found)
+{
+	struct hit buffer[HITS_ROOM];
+	struct hits hits;
+	hits_init(&hits, buffer, HITS_ROOM);
+	object_hits(o, r, nextafter(tmin, -INFINITY), tmax, &hits);
+	const struct hit *best = NULL;
+	for (size_t i = 0; i < hits.count; i++) {
+		if (!best || hits.items[i].t <= best->t)
+			best = &hits.items[i];
+	}
+	if (best)
+		*found = *best;
+	hits_release(&hits);
+	return best != NULL;
+}
+
+/* The nearest hit of the shape itself. */
+static inline bool nearest_on_shape(
+	const struct object *o, const ray *r, double tmin, double tmax, struct hit *found)
+{
+	if (o->place) {
+		const ray local = transform_ray_back(o->place, *r);
+		if (!o->shape->nearest(o->self, &local, tmin, tmax, found))
+			return false;
+	} else if (!o->shape->nearest(o->self, r, tmin, tmax, found)) {
+		return false;
+	}
+	if (!o->shape->is_compound)
+		found->object = o;
+	return true;
+}
+
+/* From the front, so that the first hit that survives ends the search. Hits at the same t are at
+ * the same point, which a clip treats alike: any of them may be asked. */
+static bool nearest_clipped(
+	const struct object *o, const ray *r, double tmin, double tmax, struct hit *found)
+{
+	if (o->bound_count && !within_bounds(o, r))
+		return false;
+	struct hit hit;
+	while (nearest_on_shape(o, r, tmin, tmax, &hit)) {
+		if (inside_all(o->clips, o->clip_count, ray_at(*r, hit.t))) {
+			*found = hit;
+			return true;
+		}
+		tmin = nextafter(hit.t, INFINITY);
+	}
+	return false;
+}
+
+bool object_nearest(
+	const struct object *o, const ray *r, double tmin, double tmax, struct hit *found)
+{
+	if (!o->shape->nearest)
+		return nearest_of_hits(o, r, tmin, tmax, found);
+	if (o->clip_count | o->bound_count)
+		return nearest_clipped(o, r, tmin, tmax, found);
+	return nearest_on_shape(o, r, tmin, tmax, found);
+}
+
+/* ---- points ---- */
+
+bool object_inside(const struct object *o, vec3 p)
+{
+	if (!o->shape->inside)
+		return false;
+	const vec3 local = o->place ? transform_point_back(o->place, p) : p;
+	if (o->shape->inside(o->self, local) == o->inverted)
+		return false;
+	return inside_all(o->clips, o->clip_count, p);
+}
+
+bool object_is_solid(const struct object *o)
+{
+	if (o->shape != &shape_csg)
+		return o->shape->inside != NULL;
+	const struct csg *csg = o->self;
+	for (size_t i = 0; i < csg->count; i++) {
+		if (object_is_solid(csg->children[i]))
+			return true;
+	}
+	return false;
+}
+
+vec3 object_normal(const struct hit *hit, vec3 p)
+{
+	const struct object *o = hit->object;
+	vec3 n;
+	if (o->place) {
+		n = o->shape->normal(o->self, hit, transform_point_back(o->place, p));
+		n = transform_normal(o->place, n);
+	} else {
+		n = o->shape->normal(o->self, hit, p);
+	}
+	n = vec_normalize(n);
+	return o->inverted && !o->normal_stays ? vec_negate(n) : n;
+}
+
+void object_uv(const struct hit *hit, vec3 p, double uv[2])
+{
+	const struct object *o = hit->object;
+	if (!o->shape->uv) {
+		uv[0] = p.x;
+		uv[1] = p.y;
+		return;
+	}
+	const vec3 local = o->place ? transform_point_back(o->place, p) : p;
+	if (!o->uv_place || !o->shape->absorb) {
+		o->shape->uv(o->self, hit, local, NULL, uv);
+	} else if (!o->place) {
+		o->shape->uv(o->self, hit, local, o->uv_place, uv);
+	} else {
+		const transform out_of_place = transform_invert(o->place);
+		const transform absorbed = transform_compose(o->uv_place, &out_of_place);
+		o->shape->uv(o->self, hit, local, &absorbed, uv);
+	}
+}
+
+/* ---- bounds ---- */
+
+/* A bound moved outwards by a few units in the last place, for the rounding of hit points. */
+static double widened(double x, double size, double sign)
+{
+	const double moved = x + sign * 4 * DBL_EPSILON * (fabs(x) + size);
+	return fmin(fmax(moved, -BOX_UNBOUNDED), BOX_UNBOUNDED);
+}
+
+static box box_widened(box b)
+{
+	const vec3 d = vec_sub(b.hi, b.lo);
+	const double size = fmax(fmax(d.x, d.y), d.z);
+	const double more = size < BOX_UNBOUNDED ? size : 0;
+	return (box){ { widened(b.lo.x, more, -1), widened(b.lo.y, more, -1),
+			      widened(b.lo.z, more, -1) },
+		{ widened(b.hi.x, more, 1), widened(b.hi.y, more, 1), widened(b.hi.z, more, 1) } };
+}
+
+/* The part of b that the objects, those that are not inside out, leave of it. */
+static box cut_box(box b, const struct object *const *objects, uint32_t count)
+{
+	for (uint32_t i = 0; i < count; i++) {
+		if (!objects[i]->inverted)
+			b = box_intersection(b, objects[i]->bounds);
+	}
+	return b;
+}
+
+void object_set_bounds(struct object *o)
+{
+	box b = o->shape->bounds(o->self);
+	if (o->place && !box_is_empty(b))
+		b = transform_box(o->place, b);
+	b = cut_box(b, o->clips, o->clip_count);
+	b = cut_box(b, o->bounds_by, o->bound_count);
+	o->bounds = box_is_empty(b) ? box_nothing() : box_widened(b);
+}
