@@ -8,6 +8,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/parallel.h"
+#include "library/hooks.h"
 #include "parser/parser.h"
 #include "render/accel.h"
 #include "render/api.h"
@@ -129,12 +130,23 @@ static void fill_statistics(struct lambert_scene_stats *stats, const struct scen
 	stats->lights = s->light_count;
 }
 
+/* The renderer answers the questions of the language while the text is read. */
+static const struct ast *parse(
+	const char *path, struct parse_options *files, struct diag *diag, struct arena *arena)
+{
+	struct hooks *hooks = hooks_create(diag, files);
+	files->hooks = hooks_table(hooks);
+	const struct ast *ast = parse_scene(path, NULL, 0, files, diag, arena);
+	hooks_destroy(hooks);
+	return ast;
+}
+
 static struct scene *load(const char *path, const struct lambert_scene_options *o,
 	struct diag *diag, struct arena *arena, struct lambert_scene_stats *stats)
 {
 	const double start = cpu_seconds();
-	const struct parse_options files = parse_options_for(path, o, arena);
-	const struct ast *ast = parse_scene(path, NULL, 0, &files, diag, arena);
+	struct parse_options files = parse_options_for(path, o, arena);
+	const struct ast *ast = parse(path, &files, diag, arena);
 	if (!ast)
 		return NULL;
 	const double parsed = cpu_seconds();
@@ -189,8 +201,8 @@ bool lambert_scene_print_ast(const char *path, const struct lambert_scene_option
 {
 	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)o);
 	struct arena *arena = arena_create(1 << 20);
-	const struct parse_options files = parse_options_for(path, o, arena);
-	const struct ast *ast = parse_scene(path, NULL, 0, &files, diag, arena);
+	struct parse_options files = parse_options_for(path, o, arena);
+	const struct ast *ast = parse(path, &files, diag, arena);
 	if (ast)
 		ast_print_json(ast, diag, out);
 	arena_destroy(arena);

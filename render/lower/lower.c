@@ -50,6 +50,28 @@ static void statement(struct lowering *l, const struct node *n)
 	}
 }
 
+void lowering_release(struct lowering *l)
+{
+	pointer_map_release(&l->drafts);
+	pointer_map_release(&l->functions);
+}
+
+static bool lower_statements(struct lowering *l)
+{
+	for (const struct node *n = l->ast->statements; n; n = n->next) {
+		statement(l, n);
+		if (diag_errors(l->diag) >= ERRORS_MAX) {
+			diag_note(l->diag, n->span, "too many errors: stopped here");
+			return false;
+		}
+	}
+	if (!l->cameras)
+		lower_camera(l, NULL);
+	if (!l->scene->object_count)
+		diag_warning(l->diag, NO_SPAN, "the scene has no objects");
+	return diag_errors(l->diag) == 0;
+}
+
 bool lower_scene(const struct ast *ast, const struct lower_options *options, struct diag *diag,
 	struct scene *scene)
 {
@@ -61,16 +83,7 @@ bool lower_scene(const struct ast *ast, const struct lower_options *options, str
 		.options = options,
 	};
 	settings_begin(&l);
-	for (const struct node *n = ast->statements; n; n = n->next) {
-		statement(&l, n);
-		if (diag_errors(diag) >= ERRORS_MAX) {
-			diag_error(diag, n->span, "too many errors: stopped here");
-			return false;
-		}
-	}
-	if (!l.cameras)
-		lower_camera(&l, NULL);
-	if (!scene->object_count)
-		diag_warning(diag, NO_SPAN, "the scene has no objects");
-	return diag_errors(diag) == 0;
+	const bool fine = lower_statements(&l);
+	lowering_release(&l);
+	return fine;
 }

@@ -7,6 +7,7 @@
 #define LAMBERT_RENDER_LOWER_LOWER_H
 
 #include "base/diag.h"
+#include "base/pointer_map.h"
 #include "parser/ast.h"
 #include "parser/parser.h"
 #include "render/scene.h"
@@ -29,7 +30,8 @@ struct lowering {
 	const struct lower_options *options;
 	void *textures; /* lower_texture.c: what has been lowered already */
 	const struct wave_sources *wave_sources;
-	struct draft_cache *drafts; /* declared objects drafted already, or NULL */
+	struct pointer_map drafts;    /* declared objects drafted already, by node */
+	struct pointer_map functions; /* compiled already, by struct function */
 	unsigned cameras;           /* met so far */
 	const struct texture *default_texture; /* finished, for objects without one */
 	const struct defaults *default_of;     /* the #default it was made of */

@@ -5,8 +5,6 @@
  */
 #include "render/lower/draft.h"
 
-#include "render/lower/draft_cache.h"
-
 #include <string.h>
 
 static bool is_csg_keyword(enum keyword k)
@@ -332,12 +330,12 @@ struct draft *draft_from_node(struct lowering *l, const struct node *item)
 	if (item->keyword != K_REFERENCE)
 		return draft_statement(l, item);
 	const struct node *n = node_resolve(item);
-	const struct draft *declared = draft_cache_find(l, n);
+	const struct draft *declared = pointer_map_find(&l->drafts, n);
 	if (!declared) {
 		struct draft *fresh = draft_statement(l, n);
 		if (!fresh)
 			return NULL;
-		draft_cache_add(l, n, fresh);
+		pointer_map_add(&l->drafts, n, fresh);
 		declared = fresh;
 	}
 	return draft_copy(l, declared);

@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The renderer at the service of the parser; see hooks.h.
+ */
+#include "library/hooks.h"
+
+#include "base/pointer_map.h"
+#include "render/accel.h"
+#include "render/lower/draft.h"
+#include "render/lower/lower_function.h"
+#include "render/texture/noise.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Smallest distance that trace() reports. */
+#define TRACE_MIN 1e-6
+
+/* A declared object, ready to be asked. */
+struct probe {
+	struct object **objects;
+	size_t count;
+	struct accel *accel;
+};
+
+struct hooks {
+	struct scene *scene;
+	struct ast ast; /* stands for the text read so far */
+	struct lower_options options;
+	struct lowering lowering;
+	struct pointer_map probes; /* by node */
+};
+
+struct hooks *hooks_create(struct diag *diag, const struct parse_options *files)
+{
+	struct hooks *h = memory_alloc(1, sizeof *h);
+	*h = (struct hooks){ .scene = scene_create() };
+	h->ast.final = (struct language_state){ .version = 370, .version_set = true };
+	h->options =
+		(struct lower_options){ .width = 1, .height = 1, .quality = 9, .files = files };
+	h->lowering = (struct lowering){ .scene = h->scene,
+		.arena = h->scene->arena,
+		.diag = diag,
+		.ast = &h->ast,
+		.options = &h->options };
+	settings_begin(&h->lowering);
+	return h;
+}
+
+void hooks_destroy(struct hooks *h)
+{
+	if (!h)
+		return;
+	for (size_t i = 0; i < h->probes.size; i++) {
+		struct probe *p = h->probes.pairs[i].value;
+		if (p) {
+			accel_destroy(p->accel);
+			free(p->objects);
+		}
+	}
+	lowering_release(&h->lowering);
+	pointer_map_release(&h->probes);
+	scene_destroy(h->scene);
+	free(h);
+}
+
+static struct probe *probe_create(struct hooks *h, const struct node *object)
+{
+	struct probe *p = ARENA_NEW(h->scene->arena, struct probe);
+	const size_t first = h->scene->object_count;
+	struct draft *d = draft_from_node(&h->lowering, object);
+	if (!d)
+		return NULL;
+	draft_emit(&h->lowering, d, object->state);
+	p->count = h->scene->object_count - first;
+	p->objects = memory_alloc(p->count, sizeof *p->objects);
+	memcpy(p->objects, h->scene->objects + first, p->count * sizeof *p->objects);
+	for (size_t i = 0; i < p->count; i++) {
+		p->objects[i]->rank = (uint32_t)i;
+		p->objects[i]->visible_to |= RAY_CAMERA;
+	}
+	return p;
+}
+
+static struct probe *probe_of(struct hooks *h, const struct node *object)
+{
+	struct probe *p = pointer_map_find(&h->probes, object);
+	if (!p) {
+		p = probe_create(h, object);
+		if (p)
+			pointer_map_add(&h->probes, object, p);
+	}
+	return p;
+}
+
+static vec3 to_vec(const double p[3])
+{
+	return vec(p[0], p[1], p[2]);
+}
+
+static void from_vec(vec3 v, double out[3])
+{
+	out[0] = v.x;
+	out[1] = v.y;
+	out[2] = v.z;
+}
+
+static bool hook_inside(void *user, const struct node *object, const double p[3], bool *answer)
+{
+	const struct probe *probe = probe_of(user, object);
+	if (!probe)
+		return false;
+	*answer = false;
+	for (size_t i = 0; i < probe->count && !*answer; i++)
+		*answer = object_inside(probe->objects[i], to_vec(p));
+	return true;
+}
+
+static bool hook_trace(void *user, const struct node *object, const double origin[3],
+	const double direction[3], double point[3], double normal[3], bool *found)
+{
+	struct probe *probe = probe_of(user, object);
+	if (!probe)
+		return false;
+	if (!probe->accel)
+		probe->accel = accel_build(probe->objects, probe->count, 1);
+	const ray r = { to_vec(origin), vec_normalize(to_vec(direction)) };
+	struct hit hit;
+	*found = vec_length2(r.direction) > 0 &&
+		 accel_nearest(probe->accel, &r, TRACE_MIN, T_MISS, RAY_ALL, &hit);
+	const vec3 p = *found ? ray_at(r, hit.t) : vec(0, 0, 0);
+	from_vec(p, point);
+	from_vec(*found ? object_normal(&hit, p) : p, normal);
+	return true;
+}
+
+/* The language keeps boxes as a corner and lengths, in single precision. */
+static void float_box(double lo, double hi, double *out_lo, double *out_hi)
+{
+	const float corner = (float)lo, length = (float)(hi - lo);
+	*out_lo = corner;
+	*out_hi = corner + length;
+}
+
+static bool hook_extent(void *user, const struct node *object, double lo[3], double hi[3])
+{
+	const struct probe *probe = probe_of(user, object);
+	if (!probe)
+		return false;
+	box b = box_nothing();
+	for (size_t i = 0; i < probe->count; i++)
+		b = box_union(b, probe->objects[i]->bounds);
+	if (box_is_unbounded(b) || box_is_empty(b))
+		b = box_everything();
+	float_box(b.lo.x, b.hi.x, &lo[0], &hi[0]);
+	float_box(b.lo.y, b.hi.y, &lo[1], &hi[1]);
+	float_box(b.lo.z, b.hi.z, &lo[2], &hi[2]);
+	return true;
+}
+
+static bool hook_call(void *user, const struct function *f, const double *arguments,
+	double result[5], unsigned *terms)
+{
+	struct hooks *h = user;
+	const struct program *p = lower_function(&h->lowering, f);
+	if (!p)
+		return false;
+	program_components(p, arguments, result);
+	*terms = p->components;
+	return true;
+}
+
+static bool hook_turbulence(void *user, double lambda, double omega, int octaves, const double p[3],
+	int noise_generator, double result[3])
+{
+	(void)user;
+	(void)noise_generator; /* the turbulence vector is the same for all */
+	from_vec(noise_turbulence(to_vec(p), octaves, omega, lambda), result);
+	return true;
+}
+
+struct render_hooks hooks_table(struct hooks *h)
+{
+	return (struct render_hooks){
+		.user = h,
+		.inside = hook_inside,
+		.trace = hook_trace,
+		.extent = hook_extent,
+		.call = hook_call,
+		.turbulence = hook_turbulence,
+	};
+}
