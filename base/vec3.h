@@ -129,4 +129,28 @@ static inline bool box_is_unbounded(box b)
 	       b.hi.x >= BOX_UNBOUNDED || b.hi.y >= BOX_UNBOUNDED || b.hi.z >= BOX_UNBOUNDED;
 }
 
+/* Narrows *in to *out, parameters of a ray, to the slab from lo to hi. A direction of zero gives
+ * infinities or, in a face of the slab, no number; the comparisons let the latter change nothing. */
+static inline void slab_cut(
+	double lo, double hi, double origin, double inverse, double *in, double *out)
+{
+	const double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
+	const double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
+	*in = near > *in ? near : *in;
+	*out = far < *out ? far : *out;
+}
+/* Whether the ray, whose direction has the given reciprocals, comes into the box between tmin and
+ * tmax; in doubt yes. */
+static inline bool box_meets_ray(const box *b, vec3 origin, vec3 inverse, double tmin, double tmax)
+{
+	slab_cut(b->lo.x, b->hi.x, origin.x, inverse.x, &tmin, &tmax);
+	slab_cut(b->lo.y, b->hi.y, origin.y, inverse.y, &tmin, &tmax);
+	slab_cut(b->lo.z, b->hi.z, origin.z, inverse.z, &tmin, &tmax);
+	return tmin - tmax <= 1e-12 * fabs(tmax);
+}
+static inline vec3 vec_reciprocal(vec3 a)
+{
+	return vec(1 / a.x, 1 / a.y, 1 / a.z);
+}
+
 #endif

@@ -76,4 +76,11 @@ bool texture_state_interior(const struct texture_state *, double *ior, double *c
 /* A pigment on its own, for sky_sphere; transformed by `place` when not NULL. */
 const struct pigment *lower_pigment(struct lowering *, const struct node *, const transform *place);
 
+/* ---- lower_text.c ---- */
+
+/* Makes the letters of a K_TEXT node, each an object with shape, self and place, in order; `place`
+ * (NULL: none) holds the transformations of the statement. False after an error. */
+bool lower_text(struct lowering *, const struct node *, const transform *place,
+	void (*emit)(void *user, struct object *), void *user);
+
 #endif

@@ -167,6 +167,7 @@ static void box_uv(
 
 const struct shape_class shape_box = {
 	.name = "box",
+	.is_convex = true,
 	.size = sizeof(struct box_shape),
 	.params = box_params,
 	.build = box_build,

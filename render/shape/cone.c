@@ -224,6 +224,7 @@ static vec3 cone_normal(const void *self, const struct hit *hit, vec3 world)
 
 const struct shape_class shape_cylinder = {
 	.name = "cylinder",
+	.is_convex = true,
 	.size = sizeof(struct cone),
 	.params = cylinder_params,
 	.build = cylinder_build,

@@ -51,30 +51,6 @@ static bool survives(const struct csg *csg, size_t child, vec3 p)
 	return true;
 }
 
-/* A direction component of zero yields infinities or no number; both comparisons then keep the
- * slab's other limits. */
-static inline void cut_slab(
-	double lo, double hi, double origin, double inverse, double *in, double *out)
-{
-	const double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	const double near = inverse < 0 ? b : a, far = inverse < 0 ? a : b;
-	*in = near > *in ? near : *in;
-	*out = far < *out ? far : *out;
-}
-
-static inline bool meets_box(const box *b, const ray *r, vec3 inverse, double tmin, double tmax)
-{
-	cut_slab(b->lo.x, b->hi.x, r->origin.x, inverse.x, &tmin, &tmax);
-	cut_slab(b->lo.y, b->hi.y, r->origin.y, inverse.y, &tmin, &tmax);
-	cut_slab(b->lo.z, b->hi.z, r->origin.z, inverse.z, &tmin, &tmax);
-	return tmin <= tmax * (1 + 1e-14);
-}
-
-static vec3 inverse_direction(const ray *r)
-{
-	return vec(1 / r->direction.x, 1 / r->direction.y, 1 / r->direction.z);
-}
-
 /* Every hit of an intersection lies in the boxes of all children that are not inside out. */
 static bool misses_a_factor(
 	const struct csg *csg, const ray *r, vec3 inverse, double tmin, double tmax)
@@ -83,7 +59,8 @@ static bool misses_a_factor(
 		return false;
 	for (size_t i = 0; i < csg->count; i++) {
 		const struct object *child = csg->children[i];
-		if (!child->inverted && !meets_box(&child->bounds, r, inverse, tmin, tmax))
+		if (!child->inverted &&
+			!box_meets_ray(&child->bounds, r->origin, inverse, tmin, tmax))
 			return true;
 	}
 	return false;
@@ -129,13 +106,13 @@ static bool child_nearest(const struct csg *csg, size_t child, const ray *r, dou
 static bool csg_nearest(const void *self, const ray *r, double tmin, double tmax, struct hit *found)
 {
 	const struct csg *csg = self;
-	const vec3 inverse = inverse_direction(r);
+	const vec3 inverse = vec_reciprocal(r->direction);
 	if (misses_a_factor(csg, r, inverse, tmin, tmax))
 		return false;
 	bool any = false;
 	for (size_t i = 0; i < csg->count; i++) {
 		const struct object *child = csg->children[i];
-		if (!meets_box(&child->bounds, r, inverse, tmin, tmax))
+		if (!box_meets_ray(&child->bounds, r->origin, inverse, tmin, tmax))
 			continue;
 		struct hit hit;
 		const bool hits = csg->kind == CSG_UNION
@@ -153,11 +130,11 @@ static bool csg_nearest(const void *self, const ray *r, double tmin, double tmax
 static void csg_hits(const void *self, const ray *r, double tmin, double tmax, struct hits *out)
 {
 	const struct csg *csg = self;
-	const vec3 inverse = inverse_direction(r);
+	const vec3 inverse = vec_reciprocal(r->direction);
 	if (misses_a_factor(csg, r, inverse, tmin, tmax))
 		return;
 	for (size_t i = 0; i < csg->count; i++) {
-		if (!meets_box(&csg->children[i]->bounds, r, inverse, tmin, tmax))
+		if (!box_meets_ray(&csg->children[i]->bounds, r->origin, inverse, tmin, tmax))
 			continue;
 		size_t kept = out->count;
 		object_hits(csg->children[i], r, tmin, tmax, out);

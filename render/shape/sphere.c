@@ -122,6 +122,7 @@ static void sphere_uv(
 
 const struct shape_class shape_sphere = {
 	.name = "sphere",
+	.is_convex = true,
 	.size = sizeof(struct sphere),
 	.params = sphere_params,
 	.absorb = sphere_absorb,
