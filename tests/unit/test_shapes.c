@@ -1,0 +1,533 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Geometry: what the answers of a shape owe each other, over random rays.
+ */
+#include "render/shape.h"
+#include "render/shape/glyph.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static double random_unit(uint64_t *state)
+{
+	*state = *state * 6364136223846793005u + 1442695040888963407u;
+	return (double)(*state >> 11) * 0x1p-53;
+}
+
+static vec3 random_vector(uint64_t *state, double reach)
+{
+	const double x = random_unit(state), y = random_unit(state), z = random_unit(state);
+	return vec(reach * (2 * x - 1), reach * (2 * y - 1), reach * (2 * z - 1));
+}
+
+/* From somewhere around the origin towards the middle. */
+static ray random_ray(uint64_t *state, double reach)
+{
+	const vec3 from = random_vector(state, reach), to = random_vector(state, 0.8);
+	return (ray){ from, vec_normalize(vec_sub(to, from)) };
+}
+
+/* ---- samples ---- */
+
+struct sample {
+	const char *word;
+	double values[18];
+	bool is_closed; /* crossings alternate */
+	bool is_star;	/* behind every surface point is the inside */
+};
+
+static const struct sample samples[] = {
+	{ "sphere", { 0.1, -0.2, 0.3, 0.8 }, true, true },
+	{ "box", { -0.5, 0.6, -0.7, 0.8, -0.4, 0.3 }, true, true },
+	{ "cylinder", { -0.3, -0.5, 0.2, 0.4, 0.6, 0.1, 0.4 }, true, true },
+	{ "cone", { -0.3, -0.5, 0.2, 0.5, 0.4, 0.6, 0.1, 0.2 }, true, true },
+	{ "cone", { 0, -0.5, 0, 0.5, 0, 0.6, 0, 0 }, true, true },
+	{ "cone", { 0, -0.5, 0, 0.5, 0, 0.6, 0, -0.4 }, true, true },
+	{ "torus", { 0.6, 0.25 }, true, true },
+	{ "torus", { 0.7, 0.01 }, true, true },
+	{ "torus", { 0.3, 0.5 }, true, false },
+	{ "plane", { 0.2, 1, -0.3, 0.1 }, true, true },
+	{ "disc", { 0.1, 0.1, 0, 0.3, 1, 0.2, 0.9, 0.2 }, false, true },
+	{ "triangle", { -0.8, -0.5, 0, 0.9, -0.4, 0.2, 0.1, 0.8, -0.3 }, false, false },
+	{ "smooth_triangle",
+		{ -0.8, -0.5, 0, 0.1, 0.2, -1, 0.9, -0.4, 0.2, -0.2, 0, -1, 0.1, 0.8, -0.3, 0, 0.1,
+			-1 },
+		false, false },
+};
+#define SAMPLE_COUNT (sizeof samples / sizeof samples[0])
+
+static void unexpected(void *user, const char *message)
+{
+	(void)user;
+	fail_msg("%s", message);
+}
+
+static struct object *make(struct arena *arena, const struct sample *sample)
+{
+	const struct shape_class *shape = shape_find(sample->word);
+	assert_non_null(shape);
+	char *self = arena_alloc(arena, shape->size);
+	const double *v = sample->values;
+	for (const struct param *p = shape->params; p->type != PARAM_TYPE_END; p++) {
+		if (p->type == PARAM_TYPE_VECTOR) {
+			*(vec3 *)(void *)(self + p->offset) = vec(v[0], v[1], v[2]);
+			v += 3;
+		} else if (p->type != PARAM_TYPE_FLAG) {
+			*(double *)(void *)(self + p->offset) = *v++;
+		}
+	}
+	struct shape_build build = { .arena = arena, .error = unexpected, .warning = unexpected };
+	if (shape->build)
+		shape->build(self, &build);
+	assert_false(build.dropped);
+	struct object *o = ARENA_NEW(arena, struct object);
+	o->shape = shape;
+	o->self = self;
+	object_set_bounds(o);
+	return o;
+}
+
+static transform random_place(uint64_t *state, bool rigid)
+{
+	const vec3 factors =
+		vec(0.5 + random_unit(state), 0.5 + random_unit(state), -0.5 - random_unit(state));
+	const transform a = transform_rotate(random_vector(state, 180));
+	const transform b = transform_scale(rigid ? vec(1.7, 1.7, 1.7) : factors);
+	const transform c = transform_rotate(random_vector(state, 180));
+	const transform d = transform_translate(random_vector(state, 0.3));
+	const transform ab = transform_compose(&a, &b);
+	const transform abc = transform_compose(&ab, &c);
+	return transform_compose(&abc, &d);
+}
+
+/* Variant 0: as written; 1: placed rigidly; 2: placed and distorted. */
+static void place(struct arena *arena, struct object *o, int variant, uint64_t *state)
+{
+	if (variant == 0)
+		return;
+	const transform t = random_place(state, variant == 1);
+	o->place = arena_copy(arena, &t, sizeof t);
+	object_set_bounds(o);
+}
+
+/* Points of hits are rounded: to within 1e-13 of the distances at hand, which are below 10. */
+static bool box_holds(box b, vec3 p)
+{
+	const double slack = 1e-12;
+	return p.x >= b.lo.x - slack && p.x <= b.hi.x + slack && p.y >= b.lo.y - slack &&
+	       p.y <= b.hi.y + slack && p.z >= b.lo.z - slack && p.z <= b.hi.z + slack;
+}
+
+static void check_nearest(const struct object *o, const ray *r, double tmin, const struct hits *all)
+{
+	const struct hit *first = NULL;
+	for (size_t i = 0; i < all->count; i++) {
+		if (all->items[i].t >= tmin && (!first || all->items[i].t <= first->t))
+			first = &all->items[i];
+	}
+	struct hit found = { .t = -7 };
+	const bool any = object_nearest(o, r, tmin, 1e4, &found);
+	assert_int_equal(any, first != NULL);
+	if (!any) {
+		assert_true(found.t == -7);
+		return;
+	}
+	assert_true(fabs(found.t - first->t) <= 1e-13 * (1 + found.t));
+	assert_ptr_equal(found.object, first->object);
+	assert_true(o->shape->is_compound || found.object == o);
+}
+
+static void check_surface(
+	const struct object *o, const ray *r, const struct hit *hit, const struct sample *sample)
+{
+	const vec3 p = ray_at(*r, hit->t), n = object_normal(hit, p);
+	assert_true(box_holds(o->bounds, p));
+	assert_true(fabs(vec_length(n) - 1) < 1e-12);
+	if (!sample->is_star)
+		return;
+	const double step = 1e-7;
+	assert_false(object_inside(o, vec_mad(p, step, n)));
+	assert_true(object_inside(o, vec_mad(p, -step, n)));
+}
+
+static void hits_fit_together(void **unused)
+{
+	(void)unused;
+	uint64_t state = 11;
+	struct arena *arena = arena_create(0);
+	for (size_t s = 0; s < SAMPLE_COUNT; s++) {
+		for (int variant = 0; variant < 3; variant++) {
+			struct object *o = make(arena, &samples[s]);
+			place(arena, o, variant, &state);
+			size_t seen = 0;
+			for (int i = 0; i < 3000; i++) {
+				const ray r = random_ray(&state, i % 2 ? 1 : 6);
+				struct hits hits = { 0 };
+				object_hits(o, &r, 0, 1e4, &hits);
+				check_nearest(o, &r, 0, &hits);
+				check_nearest(o, &r, 0.8, &hits);
+				for (size_t k = 0; k < hits.count; k++)
+					check_surface(o, &r, &hits.items[k], &samples[s]);
+				if (samples[s].is_closed && samples[s].is_star) {
+					const vec3 far = ray_at(r, 1e4);
+					assert_int_equal(
+						hits.count % 2, object_inside(o, r.origin) !=
+									object_inside(o, far));
+				}
+				seen += hits.count;
+				hits_release(&hits);
+			}
+			assert_true(seen > 50);
+		}
+	}
+	arena_destroy(arena);
+}
+
+/* Away from edges, a small step along the surface stays on it to second order. */
+static void normals_are_perpendicular(void **unused)
+{
+	(void)unused;
+	uint64_t state = 12;
+	struct arena *arena = arena_create(0);
+	for (size_t s = 0; s < SAMPLE_COUNT; s++) {
+		if (!samples[s].is_star)
+			continue;
+		struct object *o = make(arena, &samples[s]);
+		place(arena, o, 2, &state);
+		int good = 0, bad = 0;
+		for (int i = 0; i < 3000; i++) {
+			const ray r = random_ray(&state, 3);
+			struct hit hit;
+			if (!object_nearest(o, &r, 0, 1e4, &hit))
+				continue;
+			const vec3 p = ray_at(r, hit.t), n = object_normal(&hit, p);
+			const vec3 along = vec_normalize(vec_cross(n, random_vector(&state, 1)));
+			const vec3 q = vec_mad(p, 1e-6, along);
+			const bool fits = !object_inside(o, vec_mad(q, 1e-8, n)) &&
+					  object_inside(o, vec_mad(q, -1e-8, n));
+			good += fits;
+			bad += !fits;
+		}
+		assert_true(good > 30 && bad * 100 <= good);
+	}
+	arena_destroy(arena);
+}
+
+/* A shape that takes a transformation into itself answers as one that is placed. */
+static void absorbing_is_placing(void **unused)
+{
+	(void)unused;
+	uint64_t state = 13;
+	struct arena *arena = arena_create(0);
+	for (size_t s = 0; s < SAMPLE_COUNT; s++) {
+		for (int variant = 0; variant < 3; variant++) {
+			const transform move = variant == 2 ? transform_scale(vec(0.7, 1.3, 1.1))
+							    : random_place(&state, variant == 0);
+			struct object *placed = make(arena, &samples[s]);
+			placed->place = arena_copy(arena, &move, sizeof move);
+			struct object *moved = make(arena, &samples[s]);
+			if (!moved->shape->absorb ||
+				!moved->shape->absorb((void *)(uintptr_t)moved->self, &move))
+				continue;
+			object_set_bounds(moved);
+			for (int i = 0; i < 1000; i++) {
+				const ray r = random_ray(&state, 4);
+				struct hit a = { 0 }, b = { 0 };
+				const bool hit = object_nearest(placed, &r, 0, 1e4, &a);
+				assert_int_equal(hit, object_nearest(moved, &r, 0, 1e4, &b));
+				if (!hit)
+					continue;
+				assert_true(fabs(a.t - b.t) < 1e-11 * (1 + a.t));
+				const vec3 p = ray_at(r, a.t);
+				assert_true(box_holds(moved->bounds, p) || a.t > 100);
+				const double cosine =
+					vec_dot(object_normal(&a, p), object_normal(&b, p));
+				/* triangles turn over when mirrored; smooth normals are weighted */
+				if (!moved->shape->is_patch)
+					assert_true(cosine > 1 - 1e-9);
+				assert_int_equal(object_inside(placed, vec_scale(p, 0.9)),
+					object_inside(moved, vec_scale(p, 0.9)));
+			}
+		}
+	}
+	arena_destroy(arena);
+}
+
+/* Shape and ray scaled, or the ray started far away: the same hits. */
+static void scale_and_distance_change_nothing(void **unused)
+{
+	(void)unused;
+	uint64_t state = 14;
+	struct arena *arena = arena_create(0);
+	for (size_t s = 0; s < SAMPLE_COUNT; s++) {
+		if (strcmp(samples[s].word, "plane") == 0)
+			continue; /* the language ends it at 1e7 */
+		struct object *o = make(arena, &samples[s]);
+		for (int power = -6; power <= 6; power++) {
+			const double scale = pow(10, power);
+			struct object *scaled = make(arena, &samples[s]);
+			const transform t = transform_scale(vec(scale, scale, scale));
+			if (power % 2 == 0 || !scaled->shape->absorb ||
+				!scaled->shape->absorb((void *)(uintptr_t)scaled->self, &t))
+				scaled->place = arena_copy(arena, &t, sizeof t);
+			const double back = power > 0 ? scale : 0;
+			for (int i = 0; i < 500; i++) {
+				const ray r = random_ray(&state, 3);
+				const ray big = { vec_scale(r.origin, scale), r.direction };
+				const ray far = { vec_mad(r.origin, -back, r.direction),
+					r.direction };
+				struct hit a, b, c;
+				const bool hit = object_nearest(o, &r, 0, 1e5, &a);
+				assert_int_equal(hit, object_nearest(scaled, &big, 0, 1e11, &b));
+				if (!hit)
+					continue;
+				assert_true(fabs(b.t / scale - a.t) < 1e-9 * (1 + a.t));
+				assert_true(object_nearest(o, &far, back, 1e11, &c));
+				assert_true(fabs(c.t - back - a.t) < 1e-6);
+			}
+		}
+	}
+	arena_destroy(arena);
+}
+
+/* ---- compounds ---- */
+
+static struct object *combine(
+	struct arena *arena, enum csg_kind kind, struct object **children, size_t count)
+{
+	struct csg *csg = ARENA_NEW(arena, struct csg);
+	csg->kind = kind;
+	csg->count = count;
+	csg->children = arena_copy(arena, children, count * sizeof(struct object *));
+	struct object *o = ARENA_NEW(arena, struct object);
+	o->shape = &shape_csg;
+	o->self = csg;
+	object_set_bounds(o);
+	return o;
+}
+
+/* (sphere and not cylinder) merged with (box and torus), the box clipped by a plane. */
+static struct object *nested(struct arena *arena)
+{
+	struct object *sphere = make(arena, &samples[0]), *cylinder = make(arena, &samples[2]);
+	struct object *block = make(arena, &samples[1]), *torus = make(arena, &samples[6]);
+	cylinder->inverted = true;
+	const struct object *clip = make(arena, &samples[9]);
+	block->clips = arena_copy(arena, &clip, sizeof clip);
+	block->clip_count = 1;
+	object_set_bounds(block);
+	struct object *left =
+		combine(arena, CSG_INTERSECTION, (struct object *[]){ sphere, cylinder }, 2);
+	struct object *right =
+		combine(arena, CSG_INTERSECTION, (struct object *[]){ block, torus }, 2);
+	return combine(arena, CSG_MERGE, (struct object *[]){ left, right }, 2);
+}
+
+static void compounds_are_boolean(void **unused)
+{
+	(void)unused;
+	uint64_t state = 15;
+	struct arena *arena = arena_create(0);
+	const struct object *sphere = make(arena, &samples[0]), *block = make(arena, &samples[1]);
+	const struct object *cylinder = make(arena, &samples[2]), *torus = make(arena, &samples[6]);
+	const struct object *plane = make(arena, &samples[9]);
+	const struct object *o = nested(arena);
+	size_t inside = 0;
+	for (int i = 0; i < 20000; i++) {
+		const vec3 p = random_vector(&state, 1);
+		const bool left = object_inside(sphere, p) && !object_inside(cylinder, p);
+		const bool right = object_inside(block, p) && object_inside(plane, p) &&
+				   object_inside(torus, p);
+		assert_int_equal(object_inside(o, p), left || right);
+		inside += left || right;
+	}
+	assert_true(inside > 100);
+	arena_destroy(arena);
+}
+
+static void compound_hits_bound_the_inside(void **unused)
+{
+	(void)unused;
+	uint64_t state = 16;
+	struct arena *arena = arena_create(0);
+	const struct object *o = nested(arena);
+	size_t seen = 0;
+	for (int i = 0; i < 20000; i++) {
+		const ray r = random_ray(&state, i % 2 ? 1 : 5);
+		struct hits hits = { 0 };
+		object_hits(o, &r, 0, 1e4, &hits);
+		check_nearest(o, &r, 0, &hits);
+		check_nearest(o, &r, 0.5, &hits);
+		for (size_t k = 0; k < hits.count; k++)
+			assert_true(box_holds(o->bounds, ray_at(r, hits.items[k].t)));
+		seen += hits.count;
+		hits_release(&hits);
+	}
+	assert_true(seen > 1000);
+	arena_destroy(arena);
+}
+
+static void clips_cut(void **unused)
+{
+	(void)unused;
+	uint64_t state = 17;
+	struct arena *arena = arena_create(0);
+	struct object *o = make(arena, &samples[0]);
+	const struct object *clips[2] = { make(arena, &samples[9]), make(arena, &samples[1]) };
+	o->clips = clips;
+	o->clip_count = 2;
+	object_set_bounds(o);
+	for (int i = 0; i < 5000; i++) {
+		const ray r = random_ray(&state, 3);
+		struct hits hits = { 0 };
+		object_hits(o, &r, 0, 1e4, &hits);
+		check_nearest(o, &r, 0, &hits);
+		for (size_t k = 0; k < hits.count; k++) {
+			const vec3 p = ray_at(r, hits.items[k].t);
+			assert_true(object_inside(clips[0], p) && object_inside(clips[1], p));
+			assert_true(box_holds(o->bounds, p));
+		}
+		hits_release(&hits);
+	}
+	arena_destroy(arena);
+}
+
+static void last_child_wins_ties(void **unused)
+{
+	(void)unused;
+	uint64_t state = 18;
+	struct arena *arena = arena_create(0);
+	struct object *twins[2] = { make(arena, &samples[0]), make(arena, &samples[0]) };
+	const struct object *both = combine(arena, CSG_UNION, twins, 2);
+	for (int i = 0; i < 500; i++) {
+		const ray r = random_ray(&state, 3);
+		struct hit hit;
+		if (object_nearest(both, &r, 0, 1e4, &hit))
+			assert_ptr_equal(hit.object, twins[1]);
+	}
+	arena_destroy(arena);
+}
+
+/* ---- single shapes ---- */
+
+static void triangles_leave_no_cracks(void **unused)
+{
+	(void)unused;
+	uint64_t state = 19;
+	struct arena *arena = arena_create(0);
+	for (int i = 0; i < 20000; i++) {
+		const vec3 a = random_vector(&state, 1), b = random_vector(&state, 1);
+		const vec3 c = random_vector(&state, 1), d = random_vector(&state, 1);
+		const vec3 between = vec_lerp(a, b, random_unit(&state));
+		const vec3 from = random_vector(&state, 100);
+		const ray r = { from, vec_normalize(vec_sub(between, from)) };
+		/* the ray must pass the edge a b between c and d */
+		const vec3 edge = vec_cross(r.direction, vec_sub(b, a));
+		if (vec_dot(edge, vec_sub(c, a)) * vec_dot(edge, vec_sub(d, a)) >= 0)
+			continue;
+		const struct object *left = make(
+			arena, &(struct sample){ .word = "triangle",
+				       .values = { a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z } });
+		const struct object *right = make(
+			arena, &(struct sample){ .word = "triangle",
+				       .values = { d.x, d.y, d.z, b.x, b.y, b.z, a.x, a.y, a.z } });
+		struct hit hit;
+		assert_true(object_nearest(left, &r, 0, 1e4, &hit) ||
+			    object_nearest(right, &r, 0, 1e4, &hit));
+		arena_reset(arena);
+	}
+	arena_destroy(arena);
+}
+
+static void box_edges_choose_a_face(void **unused)
+{
+	(void)unused;
+	struct arena *arena = arena_create(0);
+	const struct object *o =
+		make(arena, &(struct sample){ .word = "box", .values = { -1, -1, -1, 1, 1, 1 } });
+	const vec3 d = vec_normalize(vec(1, 2, 0.1));
+	const ray steep = { vec_mad(vec(-1, -1, 0), -3, d), d };
+	struct hit hit;
+	assert_true(object_nearest(o, &steep, 0, 1e4, &hit));
+	assert_true(object_normal(&hit, ray_at(steep, hit.t)).y == -1);
+	const vec3 even = vec_normalize(vec(1, 1, 1));
+	const ray corner = { vec(-3, -3, -3), even };
+	assert_true(object_nearest(o, &corner, 0, 1e4, &hit));
+	assert_true(object_normal(&hit, ray_at(corner, hit.t)).x == -1);
+	/* in the plane of a face counts as inside the slab */
+	const ray along = { vec(1, 0, -5), vec(0, 0, 1) };
+	assert_true(object_nearest(o, &along, 0, 1e4, &hit) && hit.t == 4);
+	arena_destroy(arena);
+}
+
+static void letter_has_a_hole(void **unused)
+{
+	(void)unused;
+	/* a round ring: two contours of four curves each */
+	static const double axis[4] = { 1, 0, -1, 0 };
+	struct glyph_segment segments[8];
+	for (int i = 0; i < 8; i++) {
+		const double r = i < 4 ? 1 : 0.5;
+		const double c0 = axis[i % 4], s0 = axis[(i + 3) % 4];
+		const double c1 = axis[(i + 1) % 4], s1 = axis[i % 4];
+		segments[i] = (struct glyph_segment){ { r * c0, r * (c0 + c1), r * c1 },
+			{ r * s0, r * (s0 + s1), r * s1 }, true };
+	}
+	struct glyph glyph = { .segments = segments, .count = 8, .thickness = 0.3 };
+	glyph_finish(&glyph);
+	struct object o = { .shape = &shape_glyph, .self = &glyph };
+	object_set_bounds(&o);
+	assert_true(object_inside(&o, vec(0.75, 0, 0.1)));
+	assert_false(object_inside(&o, vec(0.1, 0, 0.1)));
+	assert_false(object_inside(&o, vec(0.75, 0, 0.31)));
+	uint64_t state = 20;
+	for (int i = 0; i < 20000; i++) {
+		const ray r = random_ray(&state, 2);
+		struct hits hits = { 0 };
+		object_hits(&o, &r, 0, 1e4, &hits);
+		check_nearest(&o, &r, 0, &hits);
+		assert_int_equal(hits.count % 2, object_inside(&o, r.origin));
+		for (size_t k = 0; k < hits.count; k++)
+			assert_true(box_holds(o.bounds, ray_at(r, hits.items[k].t)));
+		hits_release(&hits);
+	}
+}
+
+static void lists_outgrow_the_stack(void **unused)
+{
+	(void)unused;
+	struct hit buffer[2];
+	struct hits hits;
+	hits_init(&hits, buffer, 2);
+	for (int i = 0; i < 100; i++)
+		hits_push(&hits, i);
+	assert_int_equal(hits.count, 100);
+	for (int i = 0; i < 100; i++)
+		assert_true(hits.items[i].t == i);
+	hits_release(&hits);
+	assert_null(hits.items);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(hits_fit_together),
+		cmocka_unit_test(normals_are_perpendicular),
+		cmocka_unit_test(absorbing_is_placing),
+		cmocka_unit_test(scale_and_distance_change_nothing),
+		cmocka_unit_test(compounds_are_boolean),
+		cmocka_unit_test(compound_hits_bound_the_inside),
+		cmocka_unit_test(clips_cut),
+		cmocka_unit_test(last_child_wins_ties),
+		cmocka_unit_test(triangles_leave_no_cracks),
+		cmocka_unit_test(box_edges_choose_a_face),
+		cmocka_unit_test(letter_has_a_hole),
+		cmocka_unit_test(lists_outgrow_the_stack),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
