@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a pattern must offer: one file under pattern/ with one struct
- * pattern_class, and one line PATTERN(name) in pattern/patterns.def.
+ * What a pattern must offer: one struct pattern_class in a file under pattern/,
+ * and one line PATTERN(name) in pattern/patterns.def.
+ *
+ * A pattern turns a point into a number. An item that has a pattern (pigment,
+ * normal, texture) owns a struct pattern: the class with its parameters, and
+ * what the modifiers of the language do to the point before and to the number
+ * afterwards.
  */
 #ifndef LAMBERT_RENDER_PATTERN_H
 #define LAMBERT_RENDER_PATTERN_H
@@ -9,24 +14,53 @@
 #include "base/colour.h"
 #include "base/transform.h"
 #include "render/texture.h"
+#include "render/texture/warp.h"
+
+#include <stddef.h>
 
 struct pattern;
+struct wave_sources;
 
 enum wave { WAVE_RAMP, WAVE_TRIANGLE, WAVE_SINE, WAVE_SCALLOP, WAVE_CUBIC, WAVE_POLY };
 
-struct turbulence {
-	vec3 amount;
-	int octaves;
-	float omega, lambda;
+/* The parameters of a pattern's instance: those that stand behind its word (no word of their own),
+ * in order, and those that are modifiers. */
+enum pattern_param_type {
+	PATTERN_END,
+	PATTERN_FLOAT,	/* float */
+	PATTERN_DOUBLE, /* double */
+	PATTERN_VECTOR, /* vec3 */
+	PATTERN_X,	/* double: the x component of a vector */
+	PATTERN_FLAG,	/* bool: the word alone */
 };
+struct pattern_param {
+	const char *word; /* NULL: behind the pattern's word */
+	enum pattern_param_type type;
+	size_t offset;
+};
+
+/* A colour map for items that bring none. Integer patterns take `colours` alone as their list. */
+struct default_map {
+	size_t count;
+	const float *values;
+	const colour *colours;
+};
+extern const struct default_map default_map_grey;
 
 struct pattern_class {
 	const char *name;
-	size_t size;		 /* of its own parameters, pattern.self */
-	unsigned list_count;	 /* > 0: an integer pattern with that many list items */
-	bool sets_triangle_wave; /* when named */
-	bool sets_frequency_0;	 /* when named */
-	bool own_turbulence;	 /* the item's turbulence does not displace the point */
+	size_t size;			    /* of its own parameters, pattern.self */
+	const struct pattern_param *params; /* NULL: none, or lower_pattern.c fills the instance */
+	const void *defaults;		    /* the instance to start from; NULL: zeros */
+	unsigned list_count;		    /* > 0: an integer pattern with that many list items */
+	bool keeps_parameters;		    /* naming it again does not reset them */
+	bool sets_triangle_wave;	    /* when named */
+	bool sets_frequency_0;		    /* when named */
+	bool own_turbulence;		    /* the item's turbulence does not displace the point */
+	bool needs_wave_sources;
+	const struct default_map *map; /* NULL: default_map_grey */
+	/* Derives what evaluation needs, once all parameters are set. NULL: nothing to do. */
+	void (*build)(void *self);
 	/* The raw value at the warped point. */
 	double (*value)(const struct pattern *, vec3 q, struct surface *);
 	/* A vector formula of its own when used as a normal: n after perturbation by `amount`.
@@ -34,14 +68,16 @@ struct pattern_class {
 	vec3 (*perturb)(const struct pattern *, vec3 q, vec3 n, double amount, struct surface *);
 };
 
-/* An item's pattern with all its modifiers: the pipeline of textures.md section 5. */
+/* An item's pattern with all its modifiers: warp, raw value, frequency and phase, wave. */
 struct pattern {
 	const struct pattern_class *class;
 	const void *self;
 	const struct warp *warps; /* in order of application, or NULL */
 	size_t warp_count;
 	const transform *place; /* when the warps are transformations only: all in one; or NULL */
+	const transform *frame; /* all transformations in one, for directions; NULL: none */
 	const struct turbulence *turbulence; /* NULL: none */
+	bool displaces;			     /* the turbulence moves the point */
 	enum wave wave;
 	float frequency, phase, exponent;
 	int noise_generator;			 /* 1, 2 or 3: resolved */

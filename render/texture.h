@@ -12,8 +12,9 @@
 #include "base/transform.h"
 #include "render/object.h"
 
+#include <stdbool.h>
+
 struct arena;
-struct pigment;
 struct normal;
 
 /* The point being shaded, for patterns that look at more than the evaluation point. `current` is
@@ -26,10 +27,30 @@ struct surface {
 	const struct hit *hit;
 };
 
+/* A pigment. The colour of a plain one is all there is to it. */
+struct pigment {
+	bool is_plain;
+	bool is_opaque; /* no part of it lets light through */
+	colour colour;
+	const struct pigment_source *source; /* of the others: pigment.h */
+};
+
+bool pigment_evaluate(const struct pigment *, vec3 p, struct surface *, colour *out);
+
 /* Colour of a pigment at evaluation point p; false: no colour there (outside a `once` image). */
-bool pigment_colour(const struct pigment *, vec3 p, struct surface *, colour *out);
-/* Whether some part of the pigment may let light through. */
-bool pigment_is_opaque(const struct pigment *);
+static inline bool pigment_colour(
+	const struct pigment *pigment, vec3 p, struct surface *surface, colour *out)
+{
+	if (!pigment->is_plain)
+		return pigment_evaluate(pigment, p, surface, out);
+	*out = pigment->colour;
+	return true;
+}
+/* Whether no part of the pigment lets light through. */
+static inline bool pigment_is_opaque(const struct pigment *pigment)
+{
+	return pigment->is_opaque;
+}
 /* The perturbed unit normal, starting from unit n. `normal` may be NULL: n itself. */
 vec3 normal_perturb(const struct normal *, vec3 n, vec3 p, struct surface *);
 
@@ -58,11 +79,18 @@ struct layer {
 /* A plain texture has layers, top layer first; a patterned one is resolved to plain ones. */
 struct texture {
 	bool opaque;	    /* casts a full shadow; nothing behind it is ever seen */
+	bool may_transmit;  /* a ray may go on behind the surface somewhere */
 	bool uses_uv;	    /* evaluate at (u, v, 0): object uv_mapping */
 	size_t layer_count; /* 0: patterned */
 	const struct layer *layers;
 	const struct texture_map *map; /* of a patterned texture */
 };
+
+/* Whether a ray may continue behind the surface. */
+static inline bool texture_may_transmit(const struct texture *texture)
+{
+	return texture->may_transmit;
+}
 
 /* A plain texture that takes part in a shading point. */
 struct texture_part {
