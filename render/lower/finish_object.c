@@ -451,3 +451,19 @@ void draft_emit(struct lowering *l, struct draft *d, const struct language_state
 		scene_add_object(l->scene, list.items[i]);
 	free(list.items);
 }
+
+const struct object *lower_inside_object(struct lowering *l, const struct node *block)
+{
+	struct draft_interior *fallback = NULL;
+	const struct heritage none = { .fallback = &fallback, .state = block->state };
+	struct draft *d = NULL;
+	for (const struct node *item = block->children; item; item = item->next) {
+		if (!d && node_is_object(item)) {
+			d = draft_from_node(l, item);
+		} else if (d && node_is_transform(item)) {
+			const transform t = lower_transform(l, item);
+			draft_transform(l, d, &t);
+		}
+	}
+	return d ? collect_one(l, d, &none) : NULL;
+}

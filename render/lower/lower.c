@@ -54,6 +54,7 @@ void lowering_release(struct lowering *l)
 {
 	pointer_map_release(&l->drafts);
 	pointer_map_release(&l->functions);
+	pointer_map_release(&l->looks);
 }
 
 static bool lower_statements(struct lowering *l)

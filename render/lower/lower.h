@@ -28,7 +28,7 @@ struct lowering {
 	struct diag *diag;
 	const struct ast *ast;
 	const struct lower_options *options;
-	void *textures; /* lower_texture.c: what has been lowered already */
+	struct pointer_map looks; /* states of pigments, normals, textures, maps made already, by node */
 	const struct wave_sources *wave_sources;
 	struct pointer_map drafts;    /* declared objects drafted already, by node */
 	struct pointer_map functions; /* compiled already, by struct function */
@@ -75,6 +75,10 @@ bool texture_state_interior(const struct texture_state *, double *ior, double *c
 
 /* A pigment on its own, for sky_sphere; transformed by `place` when not NULL. */
 const struct pigment *lower_pigment(struct lowering *, const struct node *, const transform *place);
+
+/* The object of a block (an object and transformations), for tests of what is inside it; NULL after an
+ * error. */
+const struct object *lower_inside_object(struct lowering *, const struct node *block);
 
 /* ---- lower_text.c ---- */
 
