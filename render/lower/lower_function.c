@@ -9,6 +9,8 @@
  */
 #include "render/lower/lower_function.h"
 
+#include "render/lower/looks.h"
+
 #include <stdlib.h>
 
 struct code {
@@ -576,6 +578,23 @@ static bool compile_body(struct lowering *l, const struct function *f, struct pr
 	return fine;
 }
 
+/* The pattern of function { pattern { … } }. */
+static const struct pattern *pattern_of(struct lowering *l, const struct node *block)
+{
+	struct pattern_state s = pattern_state_fresh;
+	for (const struct node *item = block->children; item; item = item->next) {
+		if (!pattern_state_modify(l, &s, item) && !pattern_state_name(l, &s, item))
+			lower_unsupported(l, item, keyword_name(item->keyword));
+	}
+	if (!s.class) {
+		diag_error(l->diag, block->span, "function needs a pattern between these braces");
+		return NULL;
+	}
+	struct pattern *pattern = ARENA_NEW(l->arena, struct pattern);
+	pattern_build(l, &s, pattern);
+	return pattern;
+}
+
 static bool compile_internal(struct lowering *l, const struct function *f, struct program *p)
 {
 	p->internal = internal_find(f->internal);
@@ -603,7 +622,7 @@ static bool compile_kind(struct lowering *l, const struct function *f, struct pr
 		return compile_internal(l, f, p);
 	case FUNCTION_PATTERN:
 		p->kind = PROGRAM_PATTERN;
-		p->pattern = lower_pattern_function(l, f->node);
+		p->pattern = pattern_of(l, f->node);
 		return p->pattern != NULL;
 	case FUNCTION_PIGMENT:
 		p->kind = PROGRAM_PIGMENT;

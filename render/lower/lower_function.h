@@ -11,7 +11,4 @@
 /* NULL after an error. */
 const struct program *lower_function(struct lowering *, const struct function *);
 
-/* The pattern of function { pattern { … } }: a K_PATTERN node. NULL after an error. */
-const struct pattern *lower_pattern_function(struct lowering *, const struct node *);
-
 #endif
