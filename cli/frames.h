@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/* Which frames are rendered, and what each of them sees. */
+#ifndef LAMBERT_CLI_FRAMES_H
+#define LAMBERT_CLI_FRAMES_H
+
+#include "options.h"
+
+struct frames {
+	bool is_animation;
+	int initial, final; /* as the scene sees them; 0 in a still picture */
+	int first, last, step;
+	int digits; /* of the number in the file name; 0: none */
+	float clock_delta;
+};
+
+void frames_init(struct frames *, const struct options *);
+/* The clock of a frame, in single precision. */
+float frames_clock(const struct frames *, const struct options *, int frame);
+
+#endif

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Signals that ask for an end. While a scene is read nothing needs cleaning up
+ * and nothing looks at a flag, so the program ends at once; while a picture is
+ * made the handler only sets the flag that the progress callback looks at.
+ */
+#include "progress.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+static volatile sig_atomic_t requested, deferred;
+
+static void handle(int signal_number)
+{
+	(void)signal_number;
+	requested = 1;
+	if (!deferred)
+		_exit(2);
+}
+
+void interrupt_init(void)
+{
+	static const int signals[] = { SIGINT, SIGTERM, SIGQUIT, SIGPIPE };
+	struct sigaction action = { .sa_handler = handle };
+	sigemptyset(&action.sa_mask);
+	for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
+		sigaction(signals[i], &action, NULL);
+	deferred = 0;
+}
+
+void interrupt_defer(void)
+{
+	deferred = 1;
+}
+
+bool interrupt_requested(void)
+{
+	return requested != 0;
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* The command line: chooses the subcommand; without one, it is render. */
+#include "commands.h"
+
+#include "lambert/lambert.h"
+
+#include <string.h>
+
+static const struct {
+	const char *name;
+	int (*run)(int argc, char **argv);
+} commands[] = {
+	{ "render", command_render },
+	{ "check", command_check },
+	{ "ast", command_ast },
+	{ "diff", command_diff },
+};
+
+/* POV-Ray's spellings too; -h alone is help, -h240 a height. */
+static bool is_help(const char *argument)
+{
+	return strcmp(argument, "--help") == 0 || strcmp(argument, "-help") == 0 ||
+	       strcmp(argument, "-h") == 0 || strcmp(argument, "-?") == 0;
+}
+
+static bool is_version(const char *argument)
+{
+	return strcmp(argument, "--version") == 0 || strcmp(argument, "-version") == 0 ||
+	       strcmp(argument, "--V") == 0;
+}
+
+static bool asks_for_help(int argc, char **argv)
+{
+	for (int i = 0; i < argc; i++)
+		if (is_help(argv[i]))
+			return true;
+	return false;
+}
+
+static int run(const char *name, int (*command)(int argc, char **argv), int argc, char **argv)
+{
+	return asks_for_help(argc, argv) ? usage_print(name) : command(argc, argv);
+}
+
+int main(int argc, char **argv)
+{
+	argc--;
+	argv++;
+	if (argc == 0 || is_help(argv[0]))
+		return usage_print("");
+	if (strcmp(argv[0], "help") == 0)
+		return usage_print(argc > 1 ? argv[1] : "");
+	if (is_version(argv[0])) {
+		puts("lambert " LAMBERT_VERSION);
+		return STATUS_OK;
+	}
+	for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+		if (strcmp(argv[0], commands[i].name) == 0)
+			return run(commands[i].name, commands[i].run, argc - 1, argv + 1);
+	return run("render", command_render, argc, argv);
+}

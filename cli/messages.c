@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Messages, as compilers print them:
+ *
+ *     first.pov:12:9: error: torus needs a minor radius
+ *        12 | torus { 1 }
+ *           |         ^~~
+ *     scene.pov:3:1: note: included from here
+ *
+ * Long lines are shown around the place; tabs and what is no printable character
+ * become blanks, so that the caret stands where it should.
+ */
+#include "messages.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { TAB = 8, EXCERPT = 100, LEAD = 60 };
+
+static const char *const severity_names[] = {
+	[LAMBERT_NOTE] = "note",
+	[LAMBERT_WARNING] = "warning",
+	[LAMBERT_ERROR] = "error",
+};
+static const char *const severity_colours[] = {
+	[LAMBERT_NOTE] = "\033[1;36m",
+	[LAMBERT_WARNING] = "\033[1;35m",
+	[LAMBERT_ERROR] = "\033[1;31m",
+};
+static const char BOLD[] = "\033[1m", PLAIN[] = "\033[0m";
+
+static bool wants_colour(void)
+{
+	const char *no = getenv("NO_COLOR"), *term = getenv("TERM");
+	return isatty(STDERR_FILENO) && !(no && *no) && term && strcmp(term, "dumb") != 0;
+}
+
+/* Stream files */
+
+static bool open_stream(struct messages *m, enum stream stream, const char *picture, bool append)
+{
+	const char *name = m->options->stream_file[stream];
+	if (!name)
+		return true;
+	if (strchr(name, '/')) {
+		fprintf(stderr,
+			"lambert: error: %s: a text file is written beside the picture; give its "
+			"name "
+			"without a folder\n",
+			name);
+		return false;
+	}
+	const char *slash = picture ? strrchr(picture, '/') : NULL;
+	char path[4096];
+	snprintf(path, sizeof path, "%.*s%s", slash ? (int)(slash - picture) + 1 : 0,
+		slash ? picture : "", name);
+	m->files[stream] = fopen(path, append ? "a" : "w");
+	if (!m->files[stream])
+		fprintf(stderr, "lambert: error: the text file %s cannot be written: %s\n", path,
+			strerror(errno));
+	return m->files[stream] != NULL;
+}
+
+bool messages_init(
+	struct messages *m, const struct options *options, const char *picture, bool append)
+{
+	*m = (struct messages){
+		.options = options, .colour = wants_colour(), .last = STREAM_WARNING
+	};
+	bool ok = true;
+	for (int i = 0; i < STREAM_COUNT; i++)
+		ok = ok && open_stream(m, (enum stream)i, picture, append || options->append_file);
+	return ok;
+}
+
+void messages_finish(struct messages *m)
+{
+	for (int i = 0; i < STREAM_COUNT; i++)
+		if (m->files[i])
+			fclose(m->files[i]);
+	if (m->hidden_error && !m->options->quiet)
+		fputs("lambert: failed; the messages are switched off by an option\n", stderr);
+}
+
+/* Whether the console shows a stream; a setting for all of them has the last word. */
+static bool on_console(const struct messages *m, enum stream stream)
+{
+	const struct options *o = m->options;
+	const bool all_set = options_set(o, "All_Console") || options_set(o, "All_File");
+	return all_set ? o->all_console : o->console[stream];
+}
+
+/* Takes the progress bar off the line that is about to be written. */
+static void clear_line(struct messages *m)
+{
+	if (m->line_open)
+		fputs("\r\033[K", stderr);
+	m->line_open = false;
+}
+
+/* Excerpts */
+
+/* A character of more bytes begins where this is false. */
+static bool continues_character(char c)
+{
+	return (c & 0xC0) == 0x80;
+}
+
+struct excerpt {
+	char text[2 * EXCERPT * TAB], marks[2 * EXCERPT * TAB];
+	size_t text_length, marks_length;
+};
+
+static void put(struct excerpt *e, char c, char mark, size_t times)
+{
+	for (size_t i = 0; i < times; i++) {
+		e->text[e->text_length++] = c;
+		if (!continues_character(c))
+			e->marks[e->marks_length++] = mark;
+	}
+}
+
+static void make_excerpt(struct excerpt *e, const struct lambert_place *p)
+{
+	const size_t length = strlen(p->text), at = p->column - 1;
+	size_t first = at > LEAD ? at - LEAD : 0;
+	while (first < length && continues_character(p->text[first]))
+		first++;
+	const size_t end = length > first + EXCERPT ? first + EXCERPT : length;
+	e->text_length = e->marks_length = 0;
+	for (size_t i = first; i < end; i++) {
+		const char c = p->text[i];
+		const char mark = i == at ? '^' : i > at && i < at + p->length ? '~' : ' ';
+		if (c == '\t')
+			put(e, ' ', mark, TAB - e->marks_length % TAB);
+		else
+			put(e, (unsigned char)c < ' ' || c == 127 ? ' ' : c, mark, 1);
+	}
+	if (at >= end)
+		e->marks[e->marks_length++] = '^';
+	while (e->marks_length > 0 && e->marks[e->marks_length - 1] == ' ')
+		e->marks_length--;
+	e->text[e->text_length] = 0;
+	e->marks[e->marks_length] = 0;
+	/* A tab is one place wide for the caret. */
+	char *caret = strchr(e->marks, '^');
+	for (char *p2 = caret ? caret + 1 : NULL; p2 && *p2 == '^'; p2++)
+		*p2 = '~';
+}
+
+static void print_place(FILE *file, const struct lambert_place *p, const char *kind,
+	const char *text, const char *kind_colour)
+{
+	const char *bold = *kind_colour ? BOLD : "", *plain = *kind_colour ? PLAIN : "";
+	if (!p->file) {
+		fprintf(file, "%slambert:%s %s%s:%s %s\n", bold, plain, kind_colour, kind, plain,
+			text);
+		return;
+	}
+	fprintf(file, "%s%s:%u:%u:%s %s%s:%s %s\n", bold, p->file, p->line, p->column, plain,
+		kind_colour, kind, plain, text);
+	if (!p->text || !p->column)
+		return;
+	struct excerpt e;
+	make_excerpt(&e, p);
+	fprintf(file, "%6u | %s\n       | %s%s%s\n", p->line, e.text, kind_colour, e.marks, plain);
+}
+
+static void print_message(FILE *file, const struct lambert_message *message, bool colour)
+{
+	print_place(file, &message->place, severity_names[message->severity], message->text,
+		colour ? severity_colours[message->severity] : "");
+	for (size_t i = 0; i < message->chain_length; i++) {
+		const struct lambert_place *p = &message->chain[i];
+		print_place(file, p, severity_names[LAMBERT_NOTE],
+			p->context ? p->context : "reached from here",
+			colour ? severity_colours[LAMBERT_NOTE] : "");
+	}
+}
+
+/* JSON */
+
+void json_string(FILE *file, const char *text)
+{
+	fputc('"', file);
+	for (const unsigned char *p = (const unsigned char *)text; *p; p++) {
+		if (*p == '"' || *p == '\\')
+			fprintf(file, "\\%c", *p);
+		else if (*p < ' ' || *p == 127)
+			fprintf(file, "\\u%04x", *p);
+		else
+			fputc(*p, file);
+	}
+	fputc('"', file);
+}
+
+static void print_json_place(FILE *file, const struct lambert_place *p)
+{
+	fputs("\"file\":", file);
+	if (p->file)
+		json_string(file, p->file);
+	else
+		fputs("null", file);
+	fprintf(file, ",\"line\":%u,\"column\":%u,\"length\":%u", p->line, p->column, p->length);
+}
+
+static void print_json(FILE *file, const struct lambert_message *message)
+{
+	fprintf(file, "{\"severity\":\"%s\",\"message\":", severity_names[message->severity]);
+	json_string(file, message->text);
+	fputc(',', file);
+	print_json_place(file, &message->place);
+	fputs(",\"chain\":[", file);
+	for (size_t i = 0; i < message->chain_length; i++) {
+		fputs(i ? ",{" : "{", file);
+		print_json_place(file, &message->chain[i]);
+		fputs(",\"context\":", file);
+		json_string(file, message->chain[i].context ? message->chain[i].context : "");
+		fputc('}', file);
+	}
+	fputs("]}\n", file);
+}
+
+/* What arrives */
+
+void messages_take(void *user, const struct lambert_message *message)
+{
+	struct messages *m = user;
+	m->errors += message->severity == LAMBERT_ERROR;
+	m->warnings += message->severity == LAMBERT_WARNING;
+	const enum stream stream = message->severity == LAMBERT_NOTE	? m->last
+				   : message->severity == LAMBERT_ERROR ? STREAM_FATAL
+									: STREAM_WARNING;
+	m->last = stream;
+	for (int i = 0; i < STREAM_COUNT; i++)
+		if (m->files[i] && (i == STREAM_ALL || i == (int)stream))
+			print_message(m->files[i], message, false);
+	if (m->json) {
+		print_json(m->json, message);
+		return;
+	}
+	const bool is_muted = m->options->quiet && stream != STREAM_FATAL;
+	if (!on_console(m, stream))
+		m->hidden_error = m->hidden_error || message->severity == LAMBERT_ERROR;
+	else if (!is_muted) {
+		clear_line(m);
+		print_message(stderr, message, m->colour);
+	}
+}
+
+static void say(struct messages *m, enum stream stream, const char *line)
+{
+	const char *end = *line && line[strlen(line) - 1] == '\n' ? "" : "\n";
+	for (int i = 0; i < STREAM_COUNT; i++)
+		if (m->files[i] && (i == STREAM_ALL || i == (int)stream))
+			fprintf(m->files[i], "%s%s", line, end);
+	if (!on_console(m, stream))
+		return;
+	clear_line(m);
+	fprintf(stderr, "%s%s", line, end);
+}
+
+/* #render and #statistics text goes the way of #debug text, as in POV-Ray. */
+void messages_take_text(void *user, const char *stream, const char *line)
+{
+	say(user, strcmp(stream, "warning") == 0 ? STREAM_WARNING : STREAM_DEBUG, line);
+}
+
+void messages_say(struct messages *m, enum stream stream, const char *format, ...)
+{
+	char line[2048];
+	va_list args;
+	va_start(args, format);
+	vsnprintf(line, sizeof line, format, args);
+	va_end(args);
+	say(m, stream, line);
+}

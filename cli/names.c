@@ -1,0 +1,213 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Names of files by POV-Ray's rules: the picture is named after the scene unless
+ * said otherwise, in the scene's folder, and its extension always follows from
+ * its type. A name given with -o is taken as it is.
+ */
+#include "names.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+const char *names_file_part(const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	return slash ? slash + 1 : path;
+}
+
+/* The scene */
+
+static bool is_readable(const char *path)
+{
+	struct stat s;
+	return stat(path, &s) == 0 && !S_ISDIR(s.st_mode);
+}
+
+static const char *find_on_path(struct options *o, const char *name, const char *extension)
+{
+	const char *path = text_printf(&o->pool, "%s%s", name, extension);
+	if (is_readable(path))
+		return path;
+	for (size_t i = 0; *name != '/' && i < o->library.count; i++) {
+		path = text_printf(&o->pool, "%s/%s%s", o->library.items[i], name, extension);
+		if (is_readable(path))
+			return path;
+	}
+	return NULL;
+}
+
+static bool ends_exactly(const char *text, const char *end)
+{
+	const size_t n = strlen(text), m = strlen(end);
+	return n >= m && strcmp(text + n - m, end) == 0;
+}
+
+const char *names_scene(struct options *o)
+{
+	static const char *const named[] = { "", ".pov", ".POV" };
+	static const char *const unnamed[] = { ".pov", ".POV", "" };
+	if (strcmp(o->input, "-") == 0)
+		return "/dev/stdin";
+	const bool has_extension = ends_exactly(o->input, ".pov") || ends_exactly(o->input, ".POV");
+	for (int i = 0; i < 3; i++) {
+		const char *path = find_on_path(o, o->input, has_extension ? named[i] : unnamed[i]);
+		if (path)
+			return path;
+	}
+	return o->input;
+}
+
+/* The picture */
+
+static const struct {
+	char letter;
+	const char *extension;
+} types[] = {
+	{ 'N', ".png" },
+	{ 'P', ".ppm" },
+	{ 'T', ".tga" },
+	{ 'C', ".tga" },
+	{ 'B', ".bmp" },
+	{ 'J', ".jpg" },
+	{ 'E', ".exr" },
+	{ 'H', ".hdr" },
+	{ 'F', ".tif" },
+	{ 'J', ".jpeg" }, /* further spellings, for names given with -o */
+	{ 'F', ".tiff" },
+	{ 'P', ".pgm" },
+};
+
+static const char *extension_of(char letter)
+{
+	for (size_t i = 0; i < sizeof types / sizeof *types; i++)
+		if (types[i].letter == letter)
+			return types[i].extension;
+	return "";
+}
+
+/* The type that the name asks for; 0 when it has no extension, '?' for an unknown one. */
+static char letter_of(const char *path)
+{
+	for (size_t i = 0; i < sizeof types / sizeof *types; i++)
+		if (text_ends_with(path, types[i].extension))
+			return types[i].letter == 'T' ? 'C' : types[i].letter;
+	return strchr(names_file_part(path), '.') ? '?' : 0;
+}
+
+static bool is_stream_name(const char *name)
+{
+	return strcmp(name, "-") == 0 || strcmp(name, "stdout") == 0;
+}
+
+char names_format(const struct options *o)
+{
+	const char chosen = o->output_type ? o->output_type : 'N';
+	if (options_set(o, "Output_File_Type") == ORIGIN_USER || !o->output_is_exact ||
+		is_stream_name(o->output) || strncmp(o->output, "/dev/", 5) == 0)
+		return chosen;
+	const char letter = letter_of(o->output);
+	if (letter == '?')
+		option_error(o,
+			"%s: the extension of the picture is none of .png .ppm .tga .bmp .jpg .exr "
+			".hdr .tif; add one, or choose with --format",
+			o->output);
+	return letter == '?' ? 0 : letter ? letter : chosen;
+}
+
+/* Where the extension of the file part begins. */
+static size_t stem_length(const char *path)
+{
+	const char *dot = strrchr(names_file_part(path), '.');
+	return dot && dot != names_file_part(path) ? (size_t)(dot - path) : strlen(path);
+}
+
+/* As POV-Ray makes it of the given name and the scene's: without the extension of the type. */
+static const char *ruled_stem(struct options *o, const char *extension)
+{
+	const char *given = o->output ? o->output : "";
+	const char *file = names_file_part(given);
+	if (!*file || strcmp(file, extension) == 0) {
+		const char *scene = file == given ? o->input : names_file_part(o->input);
+		return text_printf(&o->pool, "%.*s%.*s", (int)(file - given), given,
+			(int)stem_length(scene), scene);
+	}
+	size_t length = strlen(given);
+	if (ends_exactly(given, "."))
+		length--;
+	else if (ends_exactly(given, extension))
+		length -= strlen(extension);
+	return text_copy(&o->pool, given, length);
+}
+
+static const char *exact_name(struct options *o, const char *extension, int frame, int digits)
+{
+	const char *given = o->output;
+	struct stat s;
+	if (ends_exactly(given, "/") || (stat(given, &s) == 0 && S_ISDIR(s.st_mode))) {
+		const char *scene = names_file_part(o->input);
+		given = text_printf(&o->pool, "%s%s%.*s%s", given,
+			ends_exactly(given, "/") ? "" : "/", (int)stem_length(scene), scene,
+			extension);
+	}
+	if (!digits)
+		return given;
+	const int stem = (int)stem_length(given);
+	return text_printf(&o->pool, "%.*s%0*d%s", stem, given, digits, frame, given + stem);
+}
+
+const char *names_picture(struct options *o, int frame, int digits)
+{
+	const char *extension = extension_of(names_format(o));
+	if (o->output && is_stream_name(o->output))
+		return "-";
+	if (o->output && strcmp(o->output, "stderr") == 0)
+		return "/dev/stderr";
+	if (!o->output && strcmp(o->input, "-") == 0) {
+		option_error(o, "the scene comes from standard input; name the picture with -o");
+		return NULL;
+	}
+	if (o->output_is_exact)
+		return exact_name(o, extension, frame, digits);
+	const char *stem = ruled_stem(o, extension);
+	if (!digits)
+		return text_printf(&o->pool, "%s%s", stem, extension);
+	return text_printf(&o->pool, "%s%0*d%s", stem, digits, frame, extension);
+}
+
+/* Whether it can be written */
+
+static bool refuse(const char *path, const char *why)
+{
+	fprintf(stderr, "lambert: error: the picture %s cannot be written: %s\n", path, why);
+	return false;
+}
+
+bool names_check_writable(const char *path)
+{
+	struct stat s;
+	if (strcmp(path, "-") == 0)
+		return true;
+	if (stat(path, &s) == 0) {
+		if (S_ISDIR(s.st_mode))
+			return refuse(path, "it is a folder");
+		if (access(path, W_OK) != 0)
+			return refuse(path, strerror(errno));
+		if (!S_ISREG(s.st_mode))
+			return true;
+	}
+	const size_t length = (size_t)(names_file_part(path) - path);
+	char *folder = malloc(length + 2);
+	if (!folder)
+		return refuse(path, "out of memory");
+	memcpy(folder, length ? path : ".", length ? length : 1);
+	folder[length ? length : 1] = 0;
+	const bool ok =
+		access(folder, W_OK | X_OK) == 0 ||
+		refuse(path, errno == ENOENT ? "its folder does not exist" : strerror(errno));
+	free(folder);
+	return ok;
+}

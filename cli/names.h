@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* Names of files: where the scene is, where the picture goes. */
+#ifndef LAMBERT_CLI_NAMES_H
+#define LAMBERT_CLI_NAMES_H
+
+#include "options.h"
+
+/* Where the scene is: as named, with .pov, in the folders of the library path. The name itself if
+ * it is nowhere. */
+const char *names_scene(struct options *);
+/* The letter of the output format; 0 after a message. */
+char names_format(const struct options *);
+/* The name of the picture, "-" for standard output. `frame` with `digits` digits is appended to its
+ * stem; digits 0: no frame number. NULL after a message. */
+const char *names_picture(struct options *, int frame, int digits);
+/* The file part of a path. */
+const char *names_file_part(const char *path);
+/* Whether the picture could be written; false after a message. Changes nothing. */
+bool names_check_writable(const char *path);
+
+#endif

@@ -1,0 +1,488 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The table of options and how their values are read. All peculiarities are
+ * POV-Ray's: a truth value is true when it begins like one, a number ends at the
+ * first character that does not belong to it, the first Declare of a name wins.
+ */
+#include "options.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#define OPTION(ini, letters, kind, field, sign, use)                                               \
+	{ ini, letters, KIND_##kind, offsetof(struct options, field),                              \
+		offsetof(struct options, sign), USE_##use },
+const struct option_row option_rows[] = {
+#include "options.def"
+};
+#undef OPTION
+const size_t option_count = sizeof option_rows / sizeof *option_rows;
+_Static_assert(sizeof option_rows / sizeof *option_rows <= OPTION_MAX, "raise OPTION_MAX");
+
+static const size_t NOWHERE = offsetof(struct options, none);
+
+/* The names that file options stand for when their value is "on". */
+static const char *const usual_file[STREAM_COUNT] = {
+	[STREAM_ALL] = "alltext.out",
+	[STREAM_DEBUG] = "debug.out",
+	[STREAM_FATAL] = "fatal.out",
+	[STREAM_RENDER] = "render.out",
+	[STREAM_STATISTIC] = "stats.out",
+	[STREAM_WARNING] = "warning.out",
+};
+
+void options_init(struct options *o)
+{
+	*o = (struct options){
+		.width = 160,
+		.height = 120,
+		.output_to_file = true,
+		.bits = 8,
+		.dither_method = "FS",
+		.quality = 9,
+		.jitter = true,
+		.sampling_method = 1,
+		.antialias_depth = 3,
+		.block_size = 32,
+		.antialias_threshold = 0.3f,
+		.antialias_gamma = 2.5f,
+		.jitter_amount = 1,
+		.frame_step = 1,
+		.final_clock = 1,
+		.all_console = true,
+		.verbose = true,
+		.display = true,
+	};
+	for (int i = 0; i < STREAM_COUNT; i++)
+		o->console[i] = true;
+}
+
+void options_finish(struct options *o)
+{
+	text_pool_finish(&o->pool);
+}
+
+/* Messages */
+
+static void complain(const struct options *o, const char *kind, const char *format, va_list args)
+{
+	const struct option_place *p = &o->place;
+	if (p->file)
+		fprintf(stderr, "%s:%u: %s: ", p->file, p->line, kind);
+	else if (p->text)
+		fprintf(stderr, "lambert: %s: argument %d, \"%s\": ", kind, p->argument, p->text);
+	else
+		fprintf(stderr, "lambert: %s: ", kind);
+	vfprintf(stderr, format, args);
+	fputc('\n', stderr);
+}
+
+bool option_error(const struct options *o, const char *format, ...)
+{
+	va_list args;
+	va_start(args, format);
+	complain(o, "error", format, args);
+	va_end(args);
+	return false;
+}
+
+void option_note(const struct options *o, const char *format, ...)
+{
+	if (o->quiet)
+		return;
+	va_list args;
+	va_start(args, format);
+	complain(o, "note", format, args);
+	va_end(args);
+}
+
+/* The table */
+
+const struct option_row *option_find(const char *name, size_t length)
+{
+	for (size_t i = 0; i < option_count; i++)
+		if (length && strlen(option_rows[i].ini) == length &&
+			strncasecmp(option_rows[i].ini, name, length) == 0)
+			return &option_rows[i];
+	return NULL;
+}
+
+enum origin options_set(const struct options *o, const char *ini_name)
+{
+	const struct option_row *row = option_find(ini_name, strlen(ini_name));
+	return row ? (enum origin)o->set[row - option_rows] : ORIGIN_NOBODY;
+}
+
+static void mark(struct options *o, const char *ini_name)
+{
+	o->set[option_find(ini_name, strlen(ini_name)) - option_rows] = (unsigned char)o->origin;
+}
+
+/* Values */
+
+bool option_float(const char *text, float *value)
+{
+	const char *p = text + strspn(text, " \t");
+	const char *digits = p + (*p == '+' || *p == '-');
+	if (!isdigit((unsigned char)digits[*digits == '.']))
+		return false;
+	*value = strtof(p, NULL);
+	return true;
+}
+
+bool option_int(const char *text, int *value)
+{
+	char *end;
+	const long v = strtol(text, &end, 10);
+	*value = v > 2147483647 ? 2147483647 : v < -2147483647 ? -2147483647 : (int)v;
+	return end != text;
+}
+
+static bool is_true(const char *value)
+{
+	static const char *const words[] = { "on", "true", "yes", "1" };
+	for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+		const size_t n = strlen(words[i]), m = strlen(value);
+		if (strncasecmp(value, words[i], n < m ? n : m) == 0)
+			return true;
+	}
+	return false;
+}
+
+/* Letter, then in switches a depth or g. */
+static bool apply_type(struct options *o, const char *value, bool is_switch)
+{
+	const char letter = (char)toupper((unsigned char)*value);
+	if (!letter || !strchr("NPTCBJEHF", letter))
+		return option_error(o,
+			"there is no file type \"%s\"; N is PNG, P PPM, T and C TGA, B BMP, J "
+			"JPEG, "
+			"E EXR, H HDR, F TIFF",
+			value);
+	o->output_type = letter;
+	if (!is_switch || !value[1])
+		return true;
+	if (tolower((unsigned char)value[1]) == 'g' && !value[2]) {
+		o->grayscale = true;
+		mark(o, "Grayscale_Output");
+		return true;
+	}
+	if (value[1 + strspn(value + 1, "0123456789")])
+		return option_error(o,
+			"after the file type stands a number of bits or g for grayscale, not "
+			"\"%s\"",
+			value + 1);
+	mark(o, "Bits_Per_Color");
+	return option_int(value + 1, &o->bits);
+}
+
+static bool apply_dither(struct options *o, const char *value)
+{
+	static const char *const names[] = { "B2", "B3", "B4", "D1", "D2", "FS" };
+	for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+		if (strcasecmp(value, names[i]) == 0) {
+			o->dither_method = names[i];
+			return true;
+		}
+	}
+	return option_error(
+		o, "there is no dithering \"%s\"; there are B2, B3, B4, D1, D2 and FS", value);
+}
+
+static bool apply_gamma(struct options *o, const struct option_row *row, const char *value)
+{
+	float gamma = 0;
+	if (strcasecmp(value, "sRGB") != 0 && (!option_float(value, &gamma) || !(gamma >= 0.001f)))
+		return option_error(o, "a gamma is a positive number or sRGB, not \"%s\"", value);
+	*(float *)((char *)o + row->field) = gamma;
+	return true;
+}
+
+static bool same_path(const char *a, const char *b)
+{
+	for (;;) {
+		while (*a == '/' && (a[1] == '/' || !a[1]))
+			a++;
+		while (*b == '/' && (b[1] == '/' || !b[1]))
+			b++;
+		if (*a != *b || !*a)
+			return *a == *b;
+		a++;
+		b++;
+	}
+}
+
+static void add_library(struct options *o, const char *path)
+{
+	for (size_t i = 0; i < o->library.count; i++)
+		if (same_path(o->library.items[i], path))
+			return;
+	text_list_add(&o->pool, &o->library, path);
+}
+
+static bool is_identifier(const char *name)
+{
+	if (!isalpha((unsigned char)*name) && *name != '_')
+		return false;
+	while (isalnum((unsigned char)*name) || *name == '_')
+		name++;
+	return !*name;
+}
+
+/* A number has six significant digits for the scene. */
+static double six_digits(float value)
+{
+	char text[64];
+	snprintf(text, sizeof text, "%.6g", (double)value);
+	return strtod(text, NULL);
+}
+
+static void add_declaration(struct options *o, struct lambert_declaration d)
+{
+	for (size_t i = 0; i < o->declaration_count; i++)
+		if (strcmp(o->declarations[i].name, d.name) == 0)
+			return;
+	struct lambert_declaration *grown =
+		text_alloc(&o->pool, (o->declaration_count + 1) * sizeof *grown);
+	if (o->declaration_count)
+		memcpy(grown, o->declarations, o->declaration_count * sizeof *grown);
+	grown[o->declaration_count++] = d;
+	o->declarations = grown;
+}
+
+static bool apply_declare(struct options *o, const char *value)
+{
+	const char *equals = strchr(value, '=');
+	if (!equals || equals == value || !equals[1])
+		return option_error(o,
+			"a declaration is name=number or name=\"text\" (quoted once more: "
+			"'name=\"text\"'), not \"%s\"",
+			value);
+	struct lambert_declaration d = { .name = text_copy(
+						 &o->pool, value, (size_t)(equals - value)) };
+	const char *text = equals + 1;
+	float number = 0;
+	if (*text == '"') {
+		const size_t length = strcspn(text + 1, "\"");
+		d.string = text_copy(&o->pool, text + 1, length);
+	} else {
+		if (!option_float(text, &number))
+			option_note(o, "\"%s\" is no number; %s is 0", text, d.name);
+		d.number = six_digits(number);
+	}
+	if (!is_identifier(d.name) || strcmp(d.name, "clock") == 0)
+		option_note(o, "a scene cannot see a declaration of \"%s\"", d.name);
+	else
+		add_declaration(o, d);
+	return true;
+}
+
+static const char *file_name(
+	const struct options *o, const struct option_row *row, const char *value)
+{
+	const char *const *slot = (const char *const *)(const void *)((const char *)o + row->field);
+	return is_true(value) ? usual_file[slot - o->stream_file] : value;
+}
+
+static bool apply_retired(struct options *o, const struct option_row *row)
+{
+	if (!o->place.file)
+		return option_error(o, "%s no longer exists", row->ini);
+	option_note(o, "%s no longer exists and is ignored", row->ini);
+	return true;
+}
+
+static bool apply_value(
+	struct options *o, const struct option_row *row, const char *value, bool is_switch)
+{
+	void *field = (char *)o + row->field;
+	switch (row->kind) {
+	case KIND_BOOL:
+		*(bool *)field = is_true(value);
+		return true;
+	case KIND_INT:
+		return option_int(value, field) ||
+		       option_error(o, "%s needs a number, not \"%s\"", row->ini, value);
+	case KIND_FLOAT:
+		return option_float(value, field) ||
+		       option_error(o, "%s needs a number, not \"%s\"", row->ini, value);
+	case KIND_TEXT:
+		*(const char **)field = text_copy(&o->pool, value, strlen(value));
+		return true;
+	case KIND_FILE:
+		value = file_name(o, row, value);
+		*(const char **)field = text_copy(&o->pool, value, strlen(value));
+		return true;
+	case KIND_TYPE:
+		return apply_type(o, value, is_switch);
+	case KIND_DITHER:
+		return apply_dither(o, value);
+	case KIND_GAMMA:
+		return apply_gamma(o, row, value);
+	case KIND_LIBRARY:
+		add_library(o, text_copy(&o->pool, value, strlen(value)));
+		return true;
+	case KIND_DECLARE:
+		return apply_declare(o, value);
+	case KIND_INI:
+		return ini_read(o, value);
+	case KIND_COMMAND:
+		if (*value)
+			text_list_add(&o->pool, &o->commands,
+				text_printf(&o->pool, "%s: %s", row->ini, value));
+		return true;
+	case KIND_RETIRED:
+		return apply_retired(o, row);
+	}
+	return false;
+}
+
+bool option_apply(struct options *o, const struct option_row *row, const char *value,
+	bool is_switch, char sign)
+{
+	const bool takes_sign = is_switch && row->kind == KIND_BOOL;
+	if (takes_sign)
+		*(bool *)((char *)o + row->field) = sign == '+';
+	else if (!apply_value(o, row, value, is_switch))
+		return false;
+	if (is_switch && row->sign != NOWHERE)
+		*(bool *)((char *)o + row->sign) = sign == '+';
+	o->set[row - option_rows] = (unsigned char)o->origin;
+	return true;
+}
+
+/* Everything */
+
+/* POV-Ray would cut the name at the blank; nobody wants that. */
+static bool is_scene_with_blanks(const char *argument)
+{
+	FILE *file;
+	if (!strpbrk(argument, " \t") || !text_ends_with(argument, ".pov") ||
+		!(file = fopen(argument, "rb")))
+		return false;
+	fclose(file);
+	return true;
+}
+
+static bool read_arguments(struct options *o, int argc, char **argv)
+{
+	for (int i = 0, used; i < argc; i += used) {
+		o->place = (struct option_place){ .argument = i + 1, .text = argv[i] };
+		if (is_scene_with_blanks(argv[i])) {
+			o->input = argv[i];
+			used = 1;
+		} else if (!long_option_read(o, argc - i, argv + i, &used)) {
+			return false;
+		} else if (used == 0) {
+			if (!switches_read(o, argv[i], false))
+				return false;
+			used = 1;
+		}
+	}
+	o->place = (struct option_place){ 0 };
+	return true;
+}
+
+/* --quiet counts from the start, wherever it stands. */
+static bool is_quiet(int argc, char **argv)
+{
+	for (int i = 0; i < argc; i++)
+		if (strcmp(argv[i], "--quiet") == 0)
+			return true;
+	return false;
+}
+
+bool options_read(struct options *o, int argc, char **argv)
+{
+	o->quiet = is_quiet(argc, argv);
+	o->origin = ORIGIN_DEFAULT_INI;
+	if (!ini_read_default(o))
+		return false;
+	o->origin = ORIGIN_USER;
+	if (!read_arguments(o, argc, argv))
+		return false;
+	const char *last = getenv("POVINC");
+	if (last && *last)
+		add_library(o, last);
+	/* The standard includes are found even when a user's INI file does not name them. */
+	add_library(o, "/usr/share/povray-3.7/include");
+	add_library(o, "/usr/local/share/povray-3.7/include");
+	return true;
+}
+
+/* Writing them down */
+
+static void write_value(FILE *file, const struct options *o, const struct option_row *row)
+{
+	const void *field = (const char *)o + row->field;
+	switch (row->kind) {
+	case KIND_BOOL:
+		fprintf(file, "%s=%s\n", row->ini, *(const bool *)field ? "On" : "Off");
+		break;
+	case KIND_INT:
+		fprintf(file, "%s=%d\n", row->ini, *(const int *)field);
+		break;
+	case KIND_FLOAT:
+		fprintf(file, "%s=%g\n", row->ini, (double)*(const float *)field);
+		break;
+	case KIND_GAMMA:
+		if (*(const float *)field > 0)
+			fprintf(file, "%s=%g\n", row->ini, (double)*(const float *)field);
+		else
+			fprintf(file, "%s=sRGB\n", row->ini);
+		break;
+	case KIND_TYPE:
+		fprintf(file, "%s=%c\n", row->ini, o->output_type);
+		break;
+	case KIND_DITHER:
+		fprintf(file, "%s=%s\n", row->ini, o->dither_method);
+		break;
+	case KIND_LIBRARY:
+		for (size_t i = 0; i < o->library.count; i++)
+			fprintf(file, "%s=\"%s\"\n", row->ini, o->library.items[i]);
+		break;
+	case KIND_DECLARE:
+		for (size_t i = 0; i < o->declaration_count; i++) {
+			const struct lambert_declaration *d = &o->declarations[i];
+			if (d->string)
+				fprintf(file, "%s='%s=\"%s\"'\n", row->ini, d->name, d->string);
+			else
+				fprintf(file, "%s=%s=%g\n", row->ini, d->name, d->number);
+		}
+		break;
+	case KIND_TEXT:
+	case KIND_FILE:
+		fprintf(file, "%s=\"%s\"\n", row->ini, *(const char *const *)field);
+		break;
+	default:
+		break;
+	}
+}
+
+static int by_name(const void *a, const void *b)
+{
+	const struct option_row *const *p = a, *const *q = b;
+	return strcasecmp((*p)->ini, (*q)->ini);
+}
+
+bool options_write_ini(const struct options *o, const char *path)
+{
+	const struct option_row *rows[OPTION_MAX];
+	size_t count = 0;
+	for (size_t i = 0; i < option_count; i++)
+		if (o->set[i] && *option_rows[i].ini &&
+			strcmp(option_rows[i].ini, "Bits_Per_Colour") != 0)
+			rows[count++] = &option_rows[i];
+	qsort(rows, count, sizeof *rows, by_name);
+	FILE *file = fopen(path, "w");
+	if (!file)
+		return false;
+	for (size_t i = 0; i < count; i++)
+		write_value(file, o, rows[i]);
+	return fclose(file) == 0;
+}

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Everything that can be chosen from outside a scene: by POV-Ray's switches and
+ * INI options (options.def) and by lambert's own long options.
+ *
+ * Numbers are held in single precision, as the language defines: a scene can see
+ * the difference.
+ */
+#ifndef LAMBERT_CLI_OPTIONS_H
+#define LAMBERT_CLI_OPTIONS_H
+
+#include "text.h"
+
+#include "lambert/lambert.h"
+
+enum stream {
+	STREAM_ALL,
+	STREAM_DEBUG,
+	STREAM_FATAL,
+	STREAM_RENDER,
+	STREAM_STATISTIC,
+	STREAM_WARNING,
+	STREAM_COUNT
+};
+
+enum option_kind {
+	KIND_BOOL,
+	KIND_INT,
+	KIND_FLOAT,
+	KIND_TEXT,
+	KIND_TYPE,    /* output file type: a letter, in the switch also a depth */
+	KIND_FILE,    /* a file name, or a truth value for the usual name */
+	KIND_DITHER,  /* B2 B3 B4 D1 D2 FS */
+	KIND_GAMMA,   /* a number, 0 standing for "sRGB" */
+	KIND_LIBRARY, /* one more folder to search */
+	KIND_DECLARE, /* name=value */
+	KIND_INI,     /* a file to read now */
+	KIND_COMMAND, /* a shell command, never run */
+	KIND_RETIRED,
+};
+enum option_use { USE_USED, USE_IGNORED, USE_REFUSED, USE_QUIET };
+
+/* Who set an option last. */
+enum origin { ORIGIN_NOBODY, ORIGIN_DEFAULT_INI, ORIGIN_USER };
+
+enum { OPTION_MAX = 160 };
+
+/* Where an option stands, for messages. */
+struct option_place {
+	const char *file; /* of INI files; NULL: the command line */
+	unsigned line;
+	int argument;	  /* from 1 */
+	const char *text; /* the argument */
+};
+
+struct options {
+	struct text_pool pool;
+	enum origin origin; /* of what is being read */
+	struct option_place place;
+	unsigned ini_depth;
+	unsigned char set[OPTION_MAX]; /* enum origin, by row of options.def */
+
+	/* picture */
+	int width, height;
+	float start_column, start_row, end_column, end_row;
+	bool has_region; /* given with --region: */
+	int region[4];	 /* left, top and one past the right and bottom */
+	bool output_to_file;
+	char output_type; /* 0: not chosen */
+	const char *output;
+	bool output_is_exact; /* given with -o: no naming rules apply */
+	int bits, compression;
+	bool grayscale, output_alpha, dither;
+	float file_gamma; /* 0: sRGB */
+	const char *dither_method;
+
+	/* scene */
+	const char *input, *include_header;
+	struct text_list library;
+	struct lambert_declaration *declarations;
+	size_t declaration_count;
+	float version, clock;
+	int quality;
+	bool no_file_io;
+	struct text_list read_paths, write_paths;
+
+	/* tracing */
+	bool antialias, jitter;
+	int sampling_method, antialias_depth, block_size, threads;
+	float antialias_threshold, antialias_gamma, jitter_amount;
+
+	/* animation */
+	int initial_frame, final_frame, frame_step;
+	float initial_clock, final_clock, subset_start, subset_end;
+	bool cyclic;
+
+	/* refused when on */
+	bool continue_trace, clockless, radiosity_from_file, radiosity_to_file, real_time;
+
+	/* text */
+	bool all_console, console[STREAM_COUNT], append_file;
+	const char *stream_file[STREAM_COUNT];
+	const char *create_ini, *stats_file;
+	bool verbose, quiet, json;
+	const char *progress; /* "bar", "lines", "off"; NULL: by where it goes */
+	struct text_list commands;
+
+	/* accepted, without effect */
+	bool display, pause, ignored_bool;
+	int ignored_int;
+	float ignored_float;
+	const char *ignored_text;
+	char none;
+};
+
+void options_init(struct options *);
+void options_finish(struct options *);
+
+/* Reads the default INI file, then the arguments. False after a message. */
+bool options_read(struct options *, int argc, char **argv);
+
+/* Whether the option of this INI name was set, and by whom. */
+enum origin options_set(const struct options *, const char *ini_name);
+
+/* One row of options.def. */
+struct option_row {
+	const char *ini, *letters;
+	enum option_kind kind;
+	size_t field, sign; /* offsets in struct options; that of `none`: nothing */
+	enum option_use use;
+};
+extern const struct option_row option_rows[];
+extern const size_t option_count;
+/* NULL when there is none of this name (any letter case). */
+const struct option_row *option_find(const char *name, size_t length);
+
+/* Sets an option from its value; false after a message. `is_switch`: from a switch with `sign`. */
+bool option_apply(
+	struct options *, const struct option_row *, const char *value, bool is_switch, char sign);
+/* An argument or a line of an INI file in POV-Ray's syntax: see switches.c. */
+bool switches_read(struct options *, const char *text, bool in_file);
+/* "file" or "file[section]", searched as INI files are. */
+bool ini_read(struct options *, const char *request);
+/* The one default INI file, if there is any. */
+bool ini_read_default(struct options *);
+/* An argument of lambert's own style; *used is the number of arguments it took, 0 if it is none.
+ * False after a message. */
+bool long_option_read(struct options *, int argc, char **argv, int *used);
+/* Writes the options that were set, in the syntax of INI files. */
+bool options_write_ini(const struct options *, const char *path);
+
+/* Says what is wrong with an option and where it stands; always false. */
+bool option_error(const struct options *, const char *format, ...)
+	__attribute__((format(printf, 2, 3)));
+void option_note(const struct options *, const char *format, ...)
+	__attribute__((format(printf, 2, 3)));
+
+/* The longest numeric beginning of a text; false when there is none. */
+bool option_float(const char *text, float *value);
+bool option_int(const char *text, int *value);
+
+#endif

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * POV-Ray's option syntax: switches (+W320), assignments (Width=320), and bare
+ * words that name a scene, a folder of the library path, or an INI file. An
+ * argument of the command line is a little line of its own; a line of an INI
+ * file differs in what an assignment may hold.
+ */
+#include "options.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+static bool is_blank(char c)
+{
+	return c == ' ' || c == '\t';
+}
+
+static const char *skip_blanks(const char *p)
+{
+	while (is_blank(*p))
+		p++;
+	return p;
+}
+
+static bool at_end(const char *p)
+{
+	return !*p || *p == ';' || *p == '#';
+}
+
+static bool is_quote(char c)
+{
+	return c == '"' || c == '\'';
+}
+
+/* Reads up to the matching quote; NULL after a message. */
+static char *read_quoted(struct options *o, const char **p)
+{
+	const char *start = *p + 1;
+	const char *end = strchr(start, **p);
+	if (!end) {
+		option_error(o, "the closing %c is missing", **p);
+		return NULL;
+	}
+	*p = end + 1;
+	return text_copy(&o->pool, start, (size_t)(end - start));
+}
+
+static char *read_until(struct options *o, const char **p, const char *stops)
+{
+	const char *start = *p;
+	*p += strcspn(start, stops);
+	return text_copy(&o->pool, start, (size_t)(*p - start));
+}
+
+/* Switches */
+
+static const char *begins_with(const char *word, const char *letters)
+{
+	const size_t n = strlen(letters);
+	return n && strncasecmp(word, letters, n) == 0 ? word + n : NULL;
+}
+
+static bool unknown_switch(const struct options *o, char sign, const char *word)
+{
+	if ((*word == 'a' || *word == 'A') && strspn(word + 1, "0123456789.") == strlen(word + 1))
+		return option_error(o,
+			"%c%s: the threshold of %cA begins with 0 and goes on: %cA0.3; any other "
+			"is "
+			"written Antialias_Threshold=1.0 or --antialias=1:1.0",
+			sign, word, sign, sign);
+	return option_error(o, "there is no switch %c%s", sign, word);
+}
+
+static bool apply_switch(struct options *o, char sign, const char *word)
+{
+	for (size_t i = 0; i < option_count; i++) {
+		const char *rest = begins_with(word, option_rows[i].letters);
+		if (rest && (*rest != 0) == (option_rows[i].kind != KIND_BOOL))
+			return option_apply(o, &option_rows[i], rest, true, sign);
+	}
+	return unknown_switch(o, sign, word);
+}
+
+static bool apply_quoted_switch(struct options *o, char sign, const char *word, const char *value)
+{
+	for (size_t i = 0; i < option_count; i++)
+		if (option_rows[i].kind != KIND_BOOL && *option_rows[i].letters &&
+			strcasecmp(option_rows[i].letters, word) == 0)
+			return option_apply(o, &option_rows[i], value, true, sign);
+	return unknown_switch(o, sign, word);
+}
+
+static bool read_switch(struct options *o, const char **p)
+{
+	const char sign = *(*p)++;
+	const char *word = read_until(o, p, " \t;#\"'[]=");
+	if (!is_quote(**p))
+		return apply_switch(o, sign, word);
+	const char *value = read_quoted(o, p);
+	return value && apply_quoted_switch(o, sign, word, value);
+}
+
+/* Assignments */
+
+/* The length of the name before an equals sign, 0 if there is none. */
+static size_t assigned_name(const char *p, bool in_file)
+{
+	size_t n = 0;
+	while (isalnum((unsigned char)p[n]) || p[n] == '_')
+		n++;
+	const char *after = in_file ? skip_blanks(p + n) : p + n;
+	return *after == '=' ? n : 0;
+}
+
+static size_t differences(const char *a, const char *b, size_t length)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < length && a[i] && b[i]; i++)
+		n += tolower((unsigned char)a[i]) != tolower((unsigned char)b[i]);
+	return n;
+}
+
+/* A name that differs in at most two letters, or begins alike. */
+static const char *similar_name(const char *name, size_t length)
+{
+	for (size_t i = 0; i < option_count; i++) {
+		const char *ini = option_rows[i].ini;
+		const size_t n = strlen(ini);
+		if (n + 1 < length || n > length + 1 || n < 4)
+			continue;
+		if (differences(name, ini, length) <= 2)
+			return ini;
+		size_t begin = 0, end = 0;
+		while (begin < n && begin < length &&
+			differences(name + begin, ini + begin, 1) == 0)
+			begin++;
+		while (end < n && end < length &&
+			differences(name + length - 1 - end, ini + n - 1 - end, 1) == 0)
+			end++;
+		if (begin + end + 1 >= length)
+			return ini;
+	}
+	return NULL;
+}
+
+static bool unknown_name(const struct options *o, const char *name, size_t length)
+{
+	const char *similar = similar_name(name, length);
+	return option_error(o, "there is no option %.*s%s%s%s", (int)length, name,
+		similar ? "; perhaps " : "", similar ? similar : "", similar ? " is meant" : "");
+}
+
+/* The rest of the line up to a comment outside quotes. */
+static const char *read_raw(struct options *o, const char **p)
+{
+	const char *start = *p;
+	char quote = 0;
+	for (; **p && (quote || !at_end(*p)); ++*p) {
+		if (quote)
+			quote = **p == quote ? 0 : quote;
+		else if (is_quote(**p))
+			quote = **p;
+	}
+	const char *end = *p;
+	while (end > start && is_blank(end[-1]))
+		end--;
+	return text_copy(&o->pool, start, (size_t)(end - start));
+}
+
+/* Whether the text after a value is something of its own. */
+static bool starts_anew(const char *p)
+{
+	size_t n = 0;
+	while (isalnum((unsigned char)p[n]) || p[n] == '_')
+		n++;
+	return at_end(p) || *p == ',' || option_find(p, n) ||
+	       ((*p == '+' || *p == '-') && isalpha((unsigned char)p[1]));
+}
+
+/* One value; in a file an unquoted one may hold blanks, by mistake. */
+static const char *read_value(struct options *o, const char **p, bool in_file)
+{
+	if (is_quote(**p))
+		return read_quoted(o, p);
+	const char *start = *p;
+	const char *value = read_until(o, p, " \t,;#\"'");
+	const char *next = skip_blanks(*p);
+	if (!in_file || next == *p || starts_anew(next))
+		return value;
+	*p = start;
+	value = read_raw(o, p);
+	option_note(o, "\"%s\" has blanks and should stand in quotes", value);
+	return value;
+}
+
+static bool read_assignment(struct options *o, const char **p, size_t length, bool in_file)
+{
+	const struct option_row *row = option_find(*p, length);
+	if (!row)
+		return unknown_name(o, *p, length);
+	*p = strchr(*p, '=') + 1;
+	if (in_file)
+		*p = skip_blanks(*p);
+	if (row->kind == KIND_COMMAND)
+		return option_apply(o, row, read_raw(o, p), false, '+');
+	for (;;) {
+		const char *value = read_value(o, p, in_file);
+		if (!value || !option_apply(o, row, value, false, '+'))
+			return false;
+		const char *next = skip_blanks(*p);
+		if (!in_file || *next != ',')
+			break;
+		*p = skip_blanks(next + 1);
+	}
+	/* What follows on the line does not count. */
+	*p += strlen(*p);
+	return true;
+}
+
+/* Bare words */
+
+static bool apply_word(struct options *o, const char *word)
+{
+	if (text_ends_with(word, ".pov"))
+		return option_apply(o, option_find("Input_File_Name", 15), word, false, '+');
+	if (text_ends_with(word, "/"))
+		return option_apply(o, option_find("Library_Path", 12), word, false, '+');
+	return ini_read(o, word);
+}
+
+static bool read_word(struct options *o, const char **p)
+{
+	const char *word = is_quote(**p) ? read_quoted(o, p) : read_until(o, p, " \t;#\"'");
+	return word && apply_word(o, word);
+}
+
+bool switches_read(struct options *o, const char *text, bool in_file)
+{
+	for (const char *p = skip_blanks(text); !at_end(p); p = skip_blanks(p)) {
+		const size_t name = assigned_name(p, in_file);
+		const bool ok = *p == '+' || *p == '-' ? read_switch(o, &p)
+				: name		       ? read_assignment(o, &p, name, in_file)
+						       : read_word(o, &p);
+		if (!ok)
+			return false;
+	}
+	return true;
+}
