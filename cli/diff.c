@@ -12,8 +12,6 @@
 #include <string.h>
 
 static const double MATCH_SHARE = 0.995, MATCH_RMSE = 1.5;
-/* As in the comparison: what samples lose on their way through floats. */
-static const double ROUNDING = 1e-3;
 
 struct request {
 	const char *pictures[2], *heatmap;
@@ -82,7 +80,7 @@ static bool read_request(struct request *r, int argc, char **argv)
 static bool is_match(const struct request *r, const struct lambert_difference *d)
 {
 	if (r->has_tolerance)
-		return d->worst <= r->tolerance + ROUNDING;
+		return d->worst <= r->tolerance;
 	return d->within_2 >= MATCH_SHARE && d->rmse_all <= MATCH_RMSE;
 }
 

@@ -103,11 +103,18 @@ static bool is_stream_name(const char *name)
 	return strcmp(name, "-") == 0 || strcmp(name, "stdout") == 0;
 }
 
+/* Whether the name is not that of a folder or device. */
+static bool may_be_file(const char *path)
+{
+	struct stat s;
+	return !ends_exactly(path, "/") && (stat(path, &s) != 0 || S_ISREG(s.st_mode));
+}
+
 char names_format(const struct options *o)
 {
 	const char chosen = o->output_type ? o->output_type : 'N';
 	if (options_set(o, "Output_File_Type") == ORIGIN_USER || !o->output_is_exact ||
-		is_stream_name(o->output) || strncmp(o->output, "/dev/", 5) == 0)
+		is_stream_name(o->output) || !may_be_file(o->output))
 		return chosen;
 	const char letter = letter_of(o->output);
 	if (letter == '?')

@@ -66,10 +66,10 @@ static bool unknown_switch(const struct options *o, char sign, const char *word)
 {
 	if ((*word == 'a' || *word == 'A') && strspn(word + 1, "0123456789.") == strlen(word + 1))
 		return option_error(o,
-			"%c%s: the threshold of %cA begins with 0 and goes on: %cA0.3; any other "
-			"is "
+			"the threshold after %cA begins with 0 and goes on, as in %cA0.3; any "
+			"other is "
 			"written Antialias_Threshold=1.0 or --antialias=1:1.0",
-			sign, word, sign, sign);
+			sign, sign);
 	return option_error(o, "there is no switch %c%s", sign, word);
 }
 

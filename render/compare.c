@@ -16,9 +16,6 @@
 #include <string.h>
 
 enum { BLOCK = 8 };
-/* 8-bit codes pass through floats on their way here; a whole step more than this is a difference. */
-static const double STEP_ROUNDING = 1e-3;
-
 static void complain(lambert_message_function message, void *user, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 static void complain(lambert_message_function message, void *user, const char *format, ...)
@@ -32,6 +29,13 @@ static void complain(lambert_message_function message, void *user, const char *f
 		message(user, &(struct lambert_message){ .severity = LAMBERT_ERROR, .text = text });
 }
 
+/* A sample on the scale of 0 to 255. Codes of up to 16 bits come out exactly, so that equal distances
+ * of codes are equal numbers. */
+static double scaled(const struct image *image, float sample)
+{
+	return image->bits > 16 ? 255 * (double)sample : nearbyint(65535 * (double)sample) / 257;
+}
+
 /* Red, green, blue, alpha of pixel number i, 0 to 255. */
 static void rgba(const struct image *image, size_t i, double out[4])
 {
@@ -39,8 +43,8 @@ static void rgba(const struct image *image, size_t i, double out[4])
 	const bool is_grey = image->channels < 3;
 	const bool has_alpha = image->channels % 2 == 0;
 	for (unsigned c = 0; c < 3; c++)
-		out[c] = 255 * (double)s[is_grey ? 0 : c];
-	out[3] = has_alpha ? 255 * (double)s[image->channels - 1] : 255;
+		out[c] = scaled(image, s[is_grey ? 0 : c]);
+	out[3] = has_alpha ? scaled(image, s[image->channels - 1]) : 255;
 }
 
 static double luminance(const struct image *image, size_t i)
@@ -82,7 +86,7 @@ static void measure_pixels(
 			d->maximum[c] = fmax(d->maximum[c], difference[c]);
 		}
 		for (int k = 0; k < 3; k++)
-			within[k] += largest <= limits[k] + STEP_ROUNDING;
+			within[k] += largest <= limits[k];
 		if (largest > d->worst) {
 			d->worst = largest;
 			d->worst_x = (unsigned)(i % a->width);

@@ -46,6 +46,8 @@ ImageSpec describe(const raster &r, const std::string &format, const char *compr
 	spec.alpha_channel = r.channels == 2 ? 1 : r.channels == 4 ? 3 : -1;
 	if (*compression)
 		spec.attribute("compression", compression);
+	/* Otherwise the time of day gets into some files. */
+	spec.attribute("DateTime", "");
 	if (!r.is_premultiplied)
 		spec.attribute("oiio:UnassociatedAlpha", 1);
 	if (r.sample_bits != 32)
