@@ -20,12 +20,17 @@ enum param_type {
 	PARAM_TYPE_FLOAT,    /* double */
 	PARAM_TYPE_VECTOR,   /* vec3 */
 	PARAM_TYPE_OPTIONAL, /* double; keeps what `defaults` put there when absent */
+	PARAM_TYPE_ARRAY,    /* struct param_array: as many as were written */
 	PARAM_TYPE_FLAG,     /* bool: the word `name` among the items */
 };
 struct param {
 	const char *name; /* for messages: "torus needs a minor radius"; for flags the word */
 	enum param_type type;
 	size_t offset;
+};
+struct param_array {
+	const double *values; /* alive until build returns */
+	size_t count;	      /* numbers, not elements */
 };
 #define PARAM_FLOAT(name, type, field)                                                             \
 	{                                                                                          \
@@ -38,6 +43,10 @@ struct param {
 #define PARAM_OPTIONAL(name, type, field)                                                          \
 	{                                                                                          \
 		name, PARAM_TYPE_OPTIONAL, offsetof(struct type, field)                            \
+	}
+#define PARAM_ARRAY(name, type, field)                                                             \
+	{                                                                                          \
+		name, PARAM_TYPE_ARRAY, offsetof(struct type, field)                               \
 	}
 #define PARAM_FLAG(name, type, field)                                                              \
 	{                                                                                          \

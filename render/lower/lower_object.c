@@ -168,6 +168,14 @@ static void fill_params(
 			if (index < n->arg_count)
 				*(double *)field = lower_float(l, n, index++, p->name);
 			break;
+		case PARAM_TYPE_ARRAY:
+			if (index < n->arg_count && n->args[index].kind == ARG_ARRAY) {
+				*(struct param_array *)field = (struct param_array){
+					n->args[index].array.values, n->args[index].array.count
+				};
+				index++;
+			}
+			break;
 		case PARAM_TYPE_FLAG:
 			for (const struct node *item = n->children; item; item = item->next) {
 				if (strcmp(keyword_name(item->keyword), p->name) == 0)

@@ -52,6 +52,8 @@ static const struct sample samples[] = {
 	{ "torus", { 0.7, 0.01 }, true, true },
 	{ "torus", { 0.3, 0.5 }, true, false },
 	{ "plane", { 0.2, 1, -0.3, 0.1 }, true, true },
+	{ "quadric", { 2, 1, 3, 0.3, -0.2, 0.1, 0.2, -0.1, 0.3, -0.9 }, true, true },
+	{ "quadric", { 2, -1, 1, 0.3, -0.2, 0.1, 0.2, -0.1, 0.3, -0.4 }, true, true },
 	{ "disc", { 0.1, 0.1, 0, 0.3, 1, 0.2, 0.9, 0.2 }, false, true },
 	{ "triangle", { -0.8, -0.5, 0, 0.9, -0.4, 0.2, 0.1, 0.8, -0.3 }, false, false },
 	{ "smooth_triangle",
@@ -444,6 +446,69 @@ static void triangles_leave_no_cracks(void **unused)
 	arena_destroy(arena);
 }
 
+/* The coefficient of x^i y^j z^k of the torus' equation. */
+static double torus_coefficient(int i, int j, int k)
+{
+	const double major = 0.6, minor = 0.25;
+	const double rest = major * major - minor * minor;
+	const int powers[3] = { i, j, k };
+	double c = i + j + k == 0 ? rest * rest : 0;
+	for (int a = 0; a < 3; a++) {
+		const double square = 2 * rest - (a == 1 ? 0 : 4 * major * major);
+		c += powers[a] == 4 ? 1 : 0;
+		c += powers[a] == 2 && i + j + k == 2 ? square : 0;
+		c += powers[a] == 2 && powers[(a + 1) % 3] == 2 ? 2 : 0;
+	}
+	return c;
+}
+
+static void quartic_can_be_a_torus(void **unused)
+{
+	(void)unused;
+	double c[35];
+	int n = 0;
+	for (int i = 4; i >= 0; i--) {
+		for (int j = 4 - i; j >= 0; j--) {
+			for (int k = 4 - i - j; k >= 0; k--)
+				c[n++] = torus_coefficient(i, j, k);
+		}
+	}
+	assert_int_equal(n, 35);
+	struct arena *arena = arena_create(0);
+	const struct shape_class *shape = shape_find("quartic");
+	void *self = arena_alloc(arena, shape->size);
+	*(struct param_array *)(void *)((char *)self + shape->params[0].offset) =
+		(struct param_array){ c, 35 };
+	struct shape_build build = { .arena = arena, .error = unexpected, .warning = unexpected };
+	shape->build(self, &build);
+	struct object quartic = { .shape = shape, .self = self };
+	object_set_bounds(&quartic);
+	assert_true(box_is_unbounded(quartic.bounds));
+	const struct object *torus = make(arena, &samples[6]);
+	uint64_t state = 21;
+	for (int i = 0; i < 5000; i++) {
+		ray r = random_ray(&state, 3);
+		const double back = i % 2 ? 0 : 1e5;
+		r.origin = vec_mad(r.origin, -back, r.direction);
+		struct hits hits = { 0 }, wanted = { 0 };
+		object_hits(torus, &r, 0, 1e9, &wanted);
+		object_hits(&quartic, &r, 0, 1e9, &hits);
+		assert_int_equal(hits.count, wanted.count);
+		for (size_t k = 0; k < hits.count; k++) {
+			const vec3 p = ray_at(r, hits.items[k].t);
+			assert_true(fabs(hits.items[k].t - wanted.items[k].t) < 1e-7 + 1e-9 * back);
+			assert_true(vec_dot(object_normal(&hits.items[k], p),
+					    object_normal(&wanted.items[k], p)) > 1 - 1e-8);
+		}
+		struct hit first;
+		assert_int_equal(object_nearest(&quartic, &r, 0, 1e9, &first), hits.count > 0);
+		assert_true(hits.count == 0 || first.t == hits.items[0].t);
+		hits_release(&hits);
+		hits_release(&wanted);
+	}
+	arena_destroy(arena);
+}
+
 static void box_edges_choose_a_face(void **unused)
 {
 	(void)unused;
@@ -525,6 +590,7 @@ int main(void)
 		cmocka_unit_test(clips_cut),
 		cmocka_unit_test(last_child_wins_ties),
 		cmocka_unit_test(triangles_leave_no_cracks),
+		cmocka_unit_test(quartic_can_be_a_torus),
 		cmocka_unit_test(box_edges_choose_a_face),
 		cmocka_unit_test(letter_has_a_hole),
 		cmocka_unit_test(lists_outgrow_the_stack),

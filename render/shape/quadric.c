@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }
+ *
+ * A x² + B y² + C z² + D xy + E xz + F yz + G x + H y + I z + J = 0, the inside
+ * where it is negative. Takes every transformation into its coefficients.
+ */
+#include "render/shape.h"
+
+struct quadric {
+	vec3 squares, mixed, linear;
+	double constant;
+	vec3 near; /* built: a point the quadric lies around, its centre if it has one */
+};
+
+static const struct param quadric_params[] = { PARAM_VECTOR("the coefficients of the squares",
+						       quadric, squares),
+	PARAM_VECTOR("the coefficients of the mixed terms", quadric, mixed),
+	PARAM_VECTOR("the linear coefficients", quadric, linear),
+	PARAM_FLOAT("a constant", quadric, constant), PARAM_END };
+
+/* Half the gradient of the quadratic part. */
+static inline vec3 quadric_times(const struct quadric *q, vec3 p)
+{
+	const vec3 s = q->squares, m = q->mixed;
+	return vec(s.x * p.x + 0.5 * (m.x * p.y + m.y * p.z),
+		s.y * p.y + 0.5 * (m.x * p.x + m.z * p.z),
+		s.z * p.z + 0.5 * (m.y * p.x + m.z * p.y));
+}
+
+static inline double quadric_value(const struct quadric *q, vec3 p)
+{
+	return vec_dot(p, vec_add(quadric_times(q, p), q->linear)) + q->constant;
+}
+
+/* The columns of the adjugate of the quadratic part; returns the determinant. */
+static double quadric_adjugate(const struct quadric *q, vec3 columns[3])
+{
+	const vec3 a = quadric_times(q, vec(1, 0, 0));
+	const vec3 b = quadric_times(q, vec(0, 1, 0));
+	const vec3 c = quadric_times(q, vec(0, 0, 1));
+	columns[0] = vec_cross(b, c);
+	columns[1] = vec_cross(c, a);
+	columns[2] = vec_cross(a, b);
+	return vec_dot(a, columns[0]);
+}
+
+static void quadric_find_centre(struct quadric *q)
+{
+	vec3 adjugate[3];
+	const double determinant = quadric_adjugate(q, adjugate);
+	const double size = fabs(q->squares.x) + fabs(q->squares.y) + fabs(q->squares.z) +
+			    fabs(q->mixed.x) + fabs(q->mixed.y) + fabs(q->mixed.z);
+	q->near = vec(0, 0, 0);
+	/* nearly singular: the centre, if any, is far from what one sees */
+	if (fabs(determinant) > 1e-9 * size * size * size) {
+		const double f = -0.5 / determinant;
+		q->near = vec_scale(
+			vec(vec_dot(adjugate[0], q->linear), vec_dot(adjugate[1], q->linear),
+				vec_dot(adjugate[2], q->linear)),
+			f);
+	}
+}
+
+static void quadric_build(void *self, struct shape_build *build)
+{
+	(void)build;
+	quadric_find_centre(self);
+}
+
+/* With rows of the inverse as directions, x' = x M gives the form M⁻¹ Q M⁻ᵀ. */
+static bool quadric_absorb(void *self, const transform *t)
+{
+	struct quadric *q = self;
+	const struct quadric old = *q;
+	const vec3 row[3] = { transform_direction_back(t, vec(1, 0, 0)),
+		transform_direction_back(t, vec(0, 1, 0)),
+		transform_direction_back(t, vec(0, 0, 1)) };
+	const vec3 origin = transform_point_back(t, vec(0, 0, 0));
+	vec3 image[3];
+	for (int i = 0; i < 3; i++)
+		image[i] = quadric_times(&old, row[i]);
+	const vec3 slope = vec_mad(old.linear, 2, quadric_times(&old, origin));
+	q->squares = vec(
+		vec_dot(row[0], image[0]), vec_dot(row[1], image[1]), vec_dot(row[2], image[2]));
+	q->mixed = vec(2 * vec_dot(row[0], image[1]), 2 * vec_dot(row[0], image[2]),
+		2 * vec_dot(row[1], image[2]));
+	q->linear = vec(vec_dot(row[0], slope), vec_dot(row[1], slope), vec_dot(row[2], slope));
+	q->constant = quadric_value(&old, origin);
+	quadric_find_centre(q);
+	return true;
+}
+
+/* Only what holds the inside as well, which also bounds what the quadric cuts: ellipsoids. */
+static box quadric_bounds(const void *self)
+{
+	const struct quadric *q = self;
+	vec3 adjugate[3];
+	const double determinant = quadric_adjugate(q, adjugate);
+	const vec3 s = q->squares;
+	const double minor = s.x * s.y - 0.25 * q->mixed.x * q->mixed.x;
+	const double size = s.x + s.y + s.z;
+	if (!(s.x > 0 && s.y > 0 && s.z > 0 && minor > 0 &&
+		    determinant > 1e-9 * size * size * size))
+		return box_everything();
+	const double depth = -quadric_value(q, q->near) / determinant;
+	if (depth < 0)
+		return box_nothing();
+	const vec3 reach = vec(sqrt(depth * adjugate[0].x), sqrt(depth * adjugate[1].y),
+		sqrt(depth * adjugate[2].z));
+	/* the coefficients are rounded: leave room for it */
+	const vec3 room = vec_mad(vec_scale(reach, 1 + 1e-9), 1e-12,
+		vec(fabs(q->near.x), fabs(q->near.y), fabs(q->near.z)));
+	return (box){ vec_sub(q->near, room), vec_add(q->near, room) };
+}
+
+static unsigned quadric_roots(const struct quadric *q, const ray *r, double t[2])
+{
+	const vec3 d = r->direction;
+	const double start = -vec_dot(vec_sub(r->origin, q->near), d) / vec_length2(d);
+	const vec3 o = ray_at(*r, start), image = quadric_times(q, d);
+	const double a = vec_dot(d, image);
+	const double b = vec_dot(o, image) + 0.5 * vec_dot(q->linear, d);
+	const double c = quadric_value(q, o);
+	const double discriminant = b * b - a * c;
+	if (!(discriminant >= 0))
+		return 0;
+	const double root = -(b + copysign(sqrt(discriminant), b));
+	unsigned n = 0;
+	if (a != 0)
+		t[n++] = start + root / a;
+	if (root != 0)
+		t[n++] = start + c / root;
+	return n;
+}
+
+static bool quadric_nearest(
+	const void *self, const ray *r, double tmin, double tmax, struct hit *found)
+{
+	double t[2], best = INFINITY;
+	const unsigned n = quadric_roots(self, r, t);
+	for (unsigned i = 0; i < n; i++) {
+		if (t[i] >= tmin && t[i] < tmax && t[i] < best)
+			best = t[i];
+	}
+	if (best == INFINITY)
+		return false;
+	found->t = best;
+	return true;
+}
+
+static void quadric_hits(const void *self, const ray *r, double tmin, double tmax, struct hits *out)
+{
+	double t[2];
+	const unsigned n = quadric_roots(self, r, t);
+	for (unsigned i = 0; i < n; i++) {
+		if (t[i] > tmin && t[i] < tmax)
+			hits_push(out, t[i]);
+	}
+}
+
+static bool quadric_inside(const void *self, vec3 p)
+{
+	return quadric_value(self, p) <= 0;
+}
+
+static vec3 quadric_normal(const void *self, const struct hit *hit, vec3 p)
+{
+	const struct quadric *q = self;
+	(void)hit;
+	const vec3 n = vec_mad(q->linear, 2, quadric_times(q, p));
+	return vec_length2(n) > 0 ? n : vec(1, 0, 0);
+}
+
+const struct shape_class shape_quadric = {
+	.name = "quadric",
+	.size = sizeof(struct quadric),
+	.params = quadric_params,
+	.keeps_normal_inverted = true,
+	.build = quadric_build,
+	.absorb = quadric_absorb,
+	.bounds = quadric_bounds,
+	.nearest = quadric_nearest,
+	.hits = quadric_hits,
+	.inside = quadric_inside,
+	.normal = quadric_normal,
+};
