@@ -102,7 +102,6 @@ static void read_item(struct lowering *l, struct normal_state *s, const struct n
 	case K_BUMP_MAP:
 	case K_IMAGE_PATTERN:
 	case K_DENSITY_FILE:
-	case K_FUNCTION:
 	case K_TILING:
 	case K_PAVEMENT:
 		lower_unsupported(l, item, keyword_name(item->keyword));

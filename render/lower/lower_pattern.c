@@ -5,6 +5,7 @@
  */
 #include "render/lower/looks.h"
 
+#include "render/lower/lower_function.h"
 #include "render/pattern/patterns.h"
 #include "render/texture/noise.h"
 
@@ -213,6 +214,15 @@ static void name_object(struct lowering *l, struct pattern_state *s, const struc
 	p->object = lower_inside_object(l, item);
 }
 
+static void name_function(struct lowering *l, struct pattern_state *s, const struct node *item)
+{
+	struct function_pattern *p = own_self(l, s);
+	if (item->arg_count > 0 && item->args[0].kind == ARG_FUNCTION)
+		p->program = lower_function(l, item->args[0].function);
+	else
+		diag_error(l->diag, item->span, "function needs an expression");
+}
+
 /* ---- naming ---- */
 
 bool pattern_state_name(struct lowering *l, struct pattern_state *s, const struct node *item)
@@ -238,6 +248,8 @@ bool pattern_state_name(struct lowering *l, struct pattern_state *s, const struc
 		name_slope(l, s, item);
 	else if (class == &pattern_pigment_pattern)
 		name_pigment_pattern(l, s, item);
+	else if (class == &pattern_function)
+		name_function(l, s, item);
 	else if (class == &pattern_object)
 		name_object(l, s, item);
 	else

@@ -51,7 +51,6 @@ static void read_item(struct lowering *l, struct patterned_state *s, const struc
 		return;
 	case K_IMAGE_PATTERN:
 	case K_DENSITY_FILE:
-	case K_FUNCTION:
 	case K_TILING:
 	case K_PAVEMENT:
 		lower_unsupported(l, item, keyword_name(item->keyword));

@@ -32,6 +32,11 @@ struct slope {
 	double slope_low, slope_range, altitude_low, altitude_range; /* range 0: none */
 };
 
+struct program;
+struct function_pattern {
+	const struct program *program; /* of x, y, z */
+};
+
 struct object_pattern {
 	const struct object *object;
 };
