@@ -42,11 +42,12 @@ static inline float rgb_luminance(rgb a)
 }
 static inline float rgb_max(rgb a)
 {
-	return fmaxf(a.r, fmaxf(a.g, a.b));
+	const float gb = a.g > a.b ? a.g : a.b; /* fmaxf would be a call */
+	return a.r > gb ? a.r : gb;
 }
 static inline float rgb_max_abs(rgb a)
 {
-	return fmaxf(fabsf(a.r), fmaxf(fabsf(a.g), fabsf(a.b)));
+	return rgb_max((rgb){ fabsf(a.r), fabsf(a.g), fabsf(a.b) });
 }
 static inline rgb colour_rgb(colour c)
 {

@@ -80,7 +80,7 @@ struct response {
 static double diffuse_response(const struct finish *f, double k, double cosine)
 {
 	const double c = fabs(cosine);
-	return k * (f->brilliance == 1 ? c : pow(c, f->brilliance));
+	return k * (f->brilliance == 1 ? c : power_of(c, f->brilliance));
 }
 
 static double phong_response(const struct finish *f, vec3 v, vec3 normal, vec3 direction)
@@ -88,7 +88,7 @@ static double phong_response(const struct finish *f, vec3 v, vec3 normal, vec3 d
 	const vec3 mirrored = vec_mad(v, -2 * vec_dot(v, normal), normal);
 	const double c = vec_dot(mirrored, direction);
 	if (c > 0 && (f->phong_size < 60 || c > PHONG_CUTOFF))
-		return f->phong * pow(c, f->phong_size);
+		return f->phong * power_of(c, f->phong_size);
 	return 0;
 }
 
@@ -97,7 +97,7 @@ static double specular_response(const struct finish *f, vec3 v, vec3 normal, vec
 	const vec3 halfway = vec_sub(direction, v);
 	const double length = vec_length(halfway);
 	const double c = length > 0 ? vec_dot(halfway, normal) / length : 0;
-	return c > 0 ? f->specular * pow(c, f->specular_power) : 0;
+	return c > 0 ? f->specular * power_of(c, f->specular_power) : 0;
 }
 
 /* False: the layer shows nothing of light from there. */
@@ -132,10 +132,10 @@ static rgb answer(struct worker *w, const struct point *at, const struct coat *c
 	const struct response *response, rgb arriving)
 {
 	const struct finish *f = coat->finish;
-	double diffuse = response->diffuse;
+	double diffuse = response->diffuse * coat->own;
 	if (response->draws)
 		diffuse -= f->crand * worker_random(w);
-	rgb sum = rgb_scale(rgb_mul(coat->pigment, arriving), diffuse * coat->own);
+	rgb sum = rgb_scale(rgb_mul(coat->pigment, arriving), diffuse);
 	if (response->highlight != 0) {
 		if (f->metallic > 0)
 			arriving = rgb_mul(arriving,

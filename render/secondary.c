@@ -93,7 +93,7 @@ rgb interior_fading(const struct interior *i, double z)
 	if (i->fade_power >= 1000)
 		return (rgb){ (float)exp(-rest.r * x), (float)exp(-rest.g * x),
 			(float)exp(-rest.b * x) };
-	return rgb_add(k, rgb_scale(rest, 1 / (1 + pow(x, i->fade_power))));
+	return rgb_add(k, rgb_scale(rest, 1 / (1 + power_of(x, i->fade_power))));
 }
 
 void passage_follow(

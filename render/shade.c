@@ -150,7 +150,8 @@ static void layers_shade(
 			out->tint = rgb_mul(out->tint, colour_tint(c));
 			out->tinted = true;
 		}
-		out->clear = fminf(1, fabsf(rgb_luminance(out->tint)));
+		const float clear = fabsf(rgb_luminance(out->tint));
+		out->clear = clear < 1 ? clear : 1;
 	}
 }
 
