@@ -46,8 +46,6 @@ struct parser {
 	uint32_t *seeds;
 	size_t seed_count;
 
-	/* Results of the grammar. */
-	const struct node *statements; /* of parse_statements */
 	struct grammar *grammar;
 
 	struct expand *expand;
@@ -67,10 +65,5 @@ void parser_error_undeclared(struct parser *, span where, const char *name);
 
 /* The span from the start of `first` to the end of `last`, if they come from the same text. */
 span span_join(span first, span last);
-
-/* Gates. Between gate_live and gate_restore all tokens are read live, whatever the construct
- * around it holds back; the directive layer wraps every directive so, the grammar hardly needs
- * it. */
-struct gate;
 
 #endif

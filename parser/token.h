@@ -45,9 +45,8 @@ struct token_value {
 	const struct node *node;
 	const struct function *function;
 	const struct spline *spline;
-	struct symbol *symbol; /* NULL: not an identifier; for an array element: the array's */
-	struct value *slot;    /* where the value of an identifier or array element lives; for
-	                          T_ARRAY: slot->array. Assign with slot_assign */
+	struct symbol *symbol; /* NULL: not an identifier. For an array element: a symbol that stands
+	                          for the element */
 };
 
 /* -- Offered by the directive layer to the grammar ---------------------------------------- */
@@ -58,8 +57,6 @@ int expand_next(struct parser *, struct token_value *, span *);
 void expand_unread(struct parser *, int token, const struct token_value *, span);
 /* Registers / finds / assigns identifiers for actions that need it (trace's fourth argument). */
 void symbol_assign(struct parser *, struct symbol *, const struct value *);
-/* The same through token_value.slot, which reaches array elements too. */
-void slot_assign(struct parser *, struct value *slot, const struct value *);
 /* What a symbol holds and is called. A declared-but-empty one holds VALUE_NONE. */
 const struct value *symbol_value(const struct symbol *);
 const char *symbol_name(const struct symbol *);
@@ -82,6 +79,5 @@ bool parse_statements(struct parser *, const struct node **statements);
 
 /* The terminal KW_<WORD> of a keyword. */
 extern const int keyword_token[KEYWORD_COUNT];
-bool parse_statements(struct parser *); /* the whole scene: sets parser->statements */
 
 #endif

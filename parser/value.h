@@ -42,7 +42,12 @@ struct array {
 	unsigned dimensions; /* 1 to 5 */
 	size_t size[5], count;
 	enum value_kind kind; /* VALUE_NONE: still open */
+	int token;	      /* set with `kind` by array_accepts: value.token of nodes */
+	unsigned terms;	      /* the same: terms of numbers */
 	struct value *elements;
 };
+
+/* Whether an element of the array may take the value; the first one decides the type of all. */
+bool array_accepts(struct array *, const struct value *);
 
 #endif

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * #declare, #local and #undef.
+ */
+#include "parser/expand.h"
+
+#include "grammar.tab.h"
+
+/* What is written to. */
+struct target {
+	struct symbol *symbol;
+	struct value *slot;  /* NULL: the value is lost, see find_element */
+	struct array *array; /* the slot is an element of it; NULL: no element */
+	bool is_new;
+	span where;
+};
+
+static void read_deprecation(struct parser *p, struct symbol *mark)
+{
+	if (!raw_accept_keyword(p, K_DEPRECATED))
+		return;
+	mark->deprecated = true;
+	mark->deprecated_once = raw_accept_keyword(p, K_ONCE);
+	mark->deprecation = raw_string(p, true);
+}
+
+/* Goes down to an element. A #local cannot reach an element of an array of an outer table, unless
+ * that has no elements yet: the value is read and lost. */
+static bool find_element(struct parser *p, bool local, struct target *t)
+{
+	const struct raw_token *raw;
+	while (t->slot && t->slot->kind == VALUE_ARRAY && (raw = raw_peek(p)) && raw->kind == '[') {
+		t->array = t->slot->array;
+		t->slot = identifier_element(p, t->slot, t->symbol->text, &t->where);
+		if (!t->slot)
+			return false;
+	}
+	if (t->array && local && t->symbol->table != p->expand->symbols.table &&
+		t->array->kind != VALUE_NONE)
+		t->slot = NULL;
+	return true;
+}
+
+static bool find_target(struct parser *p, bool local, struct target *t)
+{
+	struct symbols *s = &p->expand->symbols;
+	uint32_t name;
+	if (!raw_name(p, "an identifier to declare", &name, &t->where))
+		return false;
+	t->symbol = symbol_find(s, name);
+	const struct raw_token *raw = raw_peek(p);
+	const bool element = raw && raw->kind == '[';
+	if (element && (!t->symbol || t->symbol->slot->kind != VALUE_ARRAY)) {
+		parser_error(p, t->where, "'%s' is not an array", s->names->list[name].text);
+		return false;
+	}
+	if (!t->symbol || (local && !element && t->symbol->table != s->table)) {
+		t->symbol = symbol_create(s, name, local ? s->table : SYMBOL_GLOBAL);
+		t->is_new = true;
+	}
+	t->slot = t->symbol->slot;
+	t->symbol->kept = true; /* the table may go before the value is complete */
+	if (t->slot->kind == VALUE_MACRO) {
+		parser_error(p, t->where, "'%s' is a macro: #undef it first", t->symbol->text);
+		return false;
+	}
+	return !element || find_element(p, local, t);
+}
+
+static bool assign(struct parser *p, const struct target *t, const struct value *v)
+{
+	if (!t->slot)
+		return true;
+	const bool function = v->kind == VALUE_FUNCTION;
+	if (t->slot->kind == VALUE_FUNCTION) {
+		parser_error(p, t->where, "the function '%s' cannot be redeclared: #undef it first",
+			t->symbol->text);
+		return false;
+	}
+	if (function && !t->is_new && t->slot->kind != VALUE_NONE) {
+		parser_error(p, t->where, "'%s' is declared and cannot become a function",
+			t->symbol->text);
+		return false;
+	}
+	if (t->array && !array_accepts(t->array, v)) {
+		parser_error(p, t->where,
+			"all elements of array '%s' have one type, which is not that of this value",
+			t->symbol->text);
+		return false;
+	}
+	*t->slot = *v;
+	return true;
+}
+
+/* The semicolon behind the value, which an expression needs. */
+static bool read_semicolon(struct parser *p, const struct value *v, span where)
+{
+	const bool expression = v->kind == VALUE_NUMBER || v->kind == VALUE_COLOUR;
+	const bool found = accept(p, ';');
+	if (p->failed)
+		return false;
+	if (found && expression)
+		accept(p, ';');
+	if (found || !expression || p->state->version < 310)
+		return !p->failed;
+	if (p->state->version < 350) {
+		diag_warning(p->diag, where, "a declared expression should end with ';'");
+		return true;
+	}
+	struct token_value next;
+	span at;
+	const int token = expand_next(p, &next, &at);
+	parser_error(p, at, "expected ';' behind the declared expression, found %s",
+		token_describe(p, token, &next));
+	diag_note(p->diag, where, "the declaration begins here");
+	return false;
+}
+
+/* Reads the value and what ends it. */
+static bool read_value(struct parser *p, struct target *t, span where)
+{
+	struct gate gate;
+	struct value v = { .kind = VALUE_NONE };
+	gate_open(p, &gate, true);
+	bool ok = parse_declared(p, &v) && !p->failed;
+	if (ok) {
+		/* A lone identifier, or an array that may hold others: the copy is independent. */
+		if (v.kind == VALUE_ARRAY &&
+			((gate.delivered == 1 && gate.slot) || v.array->kind == VALUE_ARRAY))
+			v = value_copy(p->arena, &v);
+		gate.operand = true;
+		ok = assign(p, t, &v) && read_semicolon(p, &v, where);
+	}
+	gate_close(p);
+	return ok;
+}
+
+bool declare_run(struct parser *p, bool local, span where)
+{
+	struct symbol mark = { 0 };
+	struct target t = { 0 };
+	read_deprecation(p, &mark);
+	if (!find_target(p, local, &t))
+		return false;
+	if (t.is_new && mark.deprecated) {
+		t.symbol->deprecated = true;
+		t.symbol->deprecated_once = mark.deprecated_once;
+		t.symbol->deprecation = mark.deprecation;
+	}
+	if (!raw_accept(p, '=')) {
+		parser_error(p, raw_span(p), "expected '=' behind '%s', found %s", t.symbol->text,
+			raw_describe(p, raw_peek(p)));
+		return false;
+	}
+	/* The old value stays readable: #declare A = A + 1; */
+	if (!read_value(p, &t, where))
+		return false;
+	t.symbol->kept = false;
+	return true;
+}
+
+bool undef_run(struct parser *p, span where)
+{
+	(void)where;
+	struct symbols *s = &p->expand->symbols;
+	uint32_t name;
+	struct target t = { 0 };
+	if (!raw_name(p, "an identifier", &name, &t.where))
+		return false;
+	t.symbol = symbol_find(s, name);
+	if (!t.symbol) {
+		diag_warning(p->diag, t.where, "#undef of '%s', which is not declared",
+			s->names->list[name].text);
+		return true;
+	}
+	t.slot = t.symbol->slot;
+	if (!find_element(p, false, &t))
+		return false;
+	if (t.array)
+		t.slot->kind = VALUE_NONE;
+	else
+		symbol_remove(s, t.symbol);
+	return true;
+}

@@ -1,0 +1,652 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The stream of typed tokens. A stack of frames (files, macro bodies) yields raw
+ * tokens; directives are executed and macros called on the way; what is left is
+ * handed to the grammar with its value.
+ *
+ * What must not happen too early is held back by the gate, see expand.h.
+ */
+#include "parser/expand.h"
+
+#include "grammar.tab.h"
+
+#include <string.h>
+#include <time.h>
+
+/* -- Frames ------------------------------------------------------------------------------- */
+
+static struct frame *top_frame(struct expand *x)
+{
+	return &x->frames[x->frame_count - 1];
+}
+
+bool expand_push_file(struct parser *p, struct source *source, span call)
+{
+	struct expand *x = p->expand;
+	if (x->file_count == MAX_FILES) {
+		parser_error(
+			p, call, "too many nested include files (%d are the limit)", MAX_FILES);
+		return false;
+	}
+	const bool is_main = x->frame_count == 0;
+	if (!is_main && !symbols_push(&x->symbols)) {
+		parser_error(
+			p, call, "too many nested symbol tables (%d are the limit)", SYMBOL_TABLES);
+		return false;
+	}
+	x->frames[x->frame_count++] = (struct frame){
+		.source = source,
+		.tokens = source->tokens,
+		.end = source->count,
+		.site = is_main ? 0 : diag_add_site(p->diag, call, "included from here"),
+		.blocks = x->block_count,
+		.call = call,
+	};
+	x->file_count++;
+	return true;
+}
+
+/* Whether a loop would be left open in a file that ends. */
+static bool loop_crosses_end(struct parser *p, const struct frame *f)
+{
+	struct expand *x = p->expand;
+	for (unsigned i = f->blocks; i < x->block_count; i++) {
+		const struct block *b = &x->blocks[i];
+		if (b->kind != BLOCK_WHILE && b->kind != BLOCK_FOR)
+			continue;
+		parser_error(p, b->opened, "#%s must end in the file it begins in",
+			keyword_name(b->opener));
+		return true;
+	}
+	return false;
+}
+
+/* Goes back to the text that led to the present one, which is at its end. False: there is none,
+ * or an error. */
+static bool leave_frame(struct parser *p)
+{
+	struct expand *x = p->expand;
+	struct frame *f = top_frame(x);
+	if (x->frame_count == 1)
+		return false;
+	if (f->is_macro) {
+		x->block_count = f->blocks;
+	} else {
+		if (loop_crosses_end(p, f))
+			return false;
+		x->file_count--;
+	}
+	symbols_pop(&x->symbols);
+	x->frame_count--;
+	return true;
+}
+
+/* -- Raw tokens --------------------------------------------------------------------------- */
+
+static uint32_t raw_length(const struct expand *x, const struct frame *f, struct raw_token raw)
+{
+	size_t length = 1;
+	switch (raw.kind) {
+	case RAW_INTEGER:
+	case RAW_NUMBER:
+	case RAW_NUMBER_TEXT: {
+		const char *text = f->source->bytes + raw.offset;
+		length = strspn(text, "0123456789.");
+		if (text[length] == 'e' || text[length] == 'E') {
+			length += text[length + 1] == '+' || text[length + 1] == '-' ? 2 : 1;
+			length += strspn(text + length, "0123456789");
+		}
+		break;
+	}
+	case RAW_STRING:
+		length = raw.payload + 2;
+		break;
+	case RAW_KEYWORD: {
+		const char *text = f->source->bytes + raw.offset; /* synonyms differ in length */
+		while (text[length] == '_' || (text[length] >= '0' && text[length] <= '9') ||
+			(text[length] >= 'a' && text[length] <= 'z'))
+			length++;
+		break;
+	}
+	case RAW_NAME:
+		length = x->names.list[raw.payload].length;
+		break;
+	case RAW_DIRECTIVE:
+		length = f->source->directives[raw.payload].length;
+		break;
+	case RAW_LE:
+	case RAW_GE:
+	case RAW_NE:
+		length = 2;
+		break;
+	case RAW_ERROR:
+		length = f->source->error_length;
+		break;
+	default:
+		break;
+	}
+	return (uint32_t)length;
+}
+
+static span raw_span_of(const struct expand *x, const struct frame *f, struct raw_token raw)
+{
+	return (span){ f->source->number, raw.offset, raw_length(x, f, raw), f->site };
+}
+
+/* The place behind the last token of a frame. */
+static span end_span(const struct frame *f)
+{
+	return (span){ f->source->number, (uint32_t)f->source->size, 1, f->site };
+}
+
+span raw_span(struct parser *p)
+{
+	const struct frame *f = top_frame(p->expand);
+	return f->position == f->end ? end_span(f)
+				     : raw_span_of(p->expand, f, f->tokens[f->position]);
+}
+
+static void report_lexical(struct parser *p, const struct frame *f)
+{
+	const struct source *s = f->source;
+	parser_error(
+		p, (span){ s->number, s->error_offset, s->error_length, f->site }, "%s", s->error);
+	if (s->error_note)
+		diag_note(p->diag, (span){ s->number, s->note_offset, 1, f->site }, "%s",
+			s->error_note);
+}
+
+const struct raw_token *raw_peek(struct parser *p)
+{
+	struct expand *x = p->expand;
+	if (p->failed)
+		return NULL;
+	struct frame *f = top_frame(x);
+	while (f->position == f->end) {
+		if (!f->is_macro || !leave_frame(p))
+			return NULL;
+		f = top_frame(x);
+	}
+	const struct raw_token *raw = &f->tokens[f->position];
+	if (raw->kind != RAW_ERROR)
+		return raw;
+	report_lexical(p, f);
+	return NULL;
+}
+
+span raw_take(struct parser *p)
+{
+	const span where = raw_span(p);
+	top_frame(p->expand)->position++;
+	p->expand->work++;
+	return where;
+}
+
+bool raw_accept(struct parser *p, unsigned kind)
+{
+	const struct raw_token *raw = raw_peek(p);
+	if (!raw || raw->kind != kind)
+		return false;
+	raw_take(p);
+	return true;
+}
+
+bool raw_accept_keyword(struct parser *p, enum keyword keyword)
+{
+	const struct raw_token *raw = raw_peek(p);
+	if (!raw || raw->kind != RAW_KEYWORD || raw->payload != (uint32_t)keyword)
+		return false;
+	raw_take(p);
+	return true;
+}
+
+const char *raw_describe(struct parser *p, const struct raw_token *raw)
+{
+	if (!raw)
+		return "the end of the text";
+	const struct expand *x = p->expand;
+	const struct frame *f = &x->frames[x->frame_count - 1];
+	if (raw->kind == RAW_STRING)
+		return "a string";
+	const char *text =
+		arena_string(p->arena, f->source->bytes + raw->offset, raw_length(x, f, *raw));
+	return arena_printf(
+		p->arena, raw->kind == RAW_KEYWORD ? "the reserved word '%s'" : "'%s'", text);
+}
+
+bool raw_name(struct parser *p, const char *what, uint32_t *name, span *where)
+{
+	const struct raw_token *raw = raw_peek(p);
+	if (!raw || raw->kind != RAW_NAME) {
+		parser_error(p, raw_span(p), "expected %s, found %s", what, raw_describe(p, raw));
+		return false;
+	}
+	*name = raw->payload;
+	*where = raw_take(p);
+	return true;
+}
+
+const char *raw_string(struct parser *p, bool escapes)
+{
+	const struct raw_token *raw = raw_peek(p);
+	if (!raw || raw->kind != RAW_STRING)
+		return NULL;
+	const char *text = top_frame(p->expand)->source->bytes + raw->offset + 1;
+	const size_t length = raw->payload;
+	return string_literal(p, text, length, raw_take(p), escapes);
+}
+
+/* -- The gate ----------------------------------------------------------------------------- */
+
+void gate_open(struct parser *p, struct gate *g, bool hold)
+{
+	*g = (struct gate){ .outer = p->expand->gate, .hold = hold };
+	p->expand->gate = g;
+}
+
+void gate_close(struct parser *p)
+{
+	p->expand->gate = p->expand->gate->outer;
+}
+
+static bool gate_holds(const struct gate *g)
+{
+	return g->hold && g->operand && g->depth == 0;
+}
+
+static void gate_bracket(struct gate *g, bool angle)
+{
+	g->depth++;
+	g->angles = g->angles << 1 | angle;
+	g->operand = false;
+}
+
+static void gate_unbracket(struct gate *g)
+{
+	if (g->depth)
+		g->depth--;
+	g->angles >>= 1;
+	g->operand = true;
+}
+
+static bool is_unit_vector(int token)
+{
+	return token == KW_X || token == KW_Y || token == KW_Z || token == KW_U || token == KW_V ||
+	       token == KW_T;
+}
+
+/* Accounts for a token on its way to the grammar. */
+static void gate_note(struct gate *g, int token, const struct token_value *v)
+{
+	if (g->delivered++ == 0) {
+		g->first = token;
+		g->slot = v->symbol ? v->symbol->slot : NULL;
+		g->table = v->symbol ? v->symbol->table : 0;
+	}
+	const bool dot = g->dot;
+	g->dot = token == '.';
+	switch (token) {
+	case '(':
+	case '[':
+	case '{':
+		gate_bracket(g, false);
+		break;
+	case ')':
+	case ']':
+	case '}':
+		gate_unbracket(g);
+		break;
+	case '<':
+		if (g->operand)
+			g->operand = false; /* less than */
+		else
+			gate_bracket(g, true);
+		break;
+	case '>':
+		if (g->depth && (g->angles & 1))
+			gate_unbracket(g);
+		else
+			g->operand = false; /* greater than */
+		break;
+	case T_FUNCTION:
+	case T_VECTOR_FUNCTION:
+	case T_SPLINE: /* the look for the bracket of a call is live */
+		g->operand = false;
+		break;
+	case T_NUMBER:
+	case T_VECTOR:
+	case T_COLOUR:
+	case T_STRING:
+	case T_OBJECT:
+	case T_TEXTURE:
+	case T_PIGMENT:
+	case T_NORMAL:
+	case T_FINISH:
+	case T_MATERIAL:
+	case T_INTERIOR:
+	case T_MEDIA:
+	case T_DENSITY:
+	case T_CAMERA:
+	case T_FOG:
+	case T_RAINBOW:
+	case T_SKY_SPHERE:
+	case T_TRANSFORM:
+	case T_COLOUR_MAP:
+	case T_PIGMENT_MAP:
+	case T_NORMAL_MAP:
+	case T_TEXTURE_MAP:
+	case T_SLOPE_MAP:
+	case T_DENSITY_MAP:
+	case T_ARRAY:
+	case T_UNDECLARED:
+		g->operand = true;
+		break;
+	default:
+		g->operand = dot || is_unit_vector(token);
+		break;
+	}
+}
+
+/* -- Typed tokens ------------------------------------------------------------------------- */
+
+static double days_since_2000(void)
+{
+	struct timespec now;
+	clock_gettime(CLOCK_REALTIME, &now);
+	return ((double)now.tv_sec + 1e-9 * (double)now.tv_nsec) / 86400 - 10957;
+}
+
+static int number_token(struct token_value *v, double value)
+{
+	v->number.terms = 1;
+	v->number.v[0] = value;
+	return T_NUMBER;
+}
+
+static int keyword_value(struct parser *p, enum keyword keyword, struct token_value *v)
+{
+	v->keyword = keyword;
+	switch (keyword) {
+	case K_CLOCK:
+		return number_token(v, p->options->clock);
+	case K_CLOCK_ON:
+		return number_token(v, p->options->clock_on);
+	case K_VERSION:
+		return number_token(v, p->state->version / 100.0);
+	case K_PI:
+		return number_token(v, 3.14159265358979323846);
+	case K_TRUE:
+	case K_YES:
+	case K_ON:
+		return number_token(v, 1);
+	case K_FALSE:
+	case K_NO:
+	case K_OFF:
+		return number_token(v, 0);
+	case K_NOW:
+		return number_token(v, days_since_2000());
+	case K_DEFINED: {
+		bool defined;
+		return identifier_defined(p, &defined) ? number_token(v, defined) : 0;
+	}
+	default:
+		return keyword_token[keyword];
+	}
+}
+
+/* Words of directives that work without '#' between the statements of a scene. */
+static bool is_bare_directive(const struct expand *x, enum keyword keyword)
+{
+	return (keyword == K_DECLARE || keyword == K_INCLUDE || keyword == K_DEFAULT) &&
+	       x->gate == &x->scene_gate && x->gate->depth == 0;
+}
+
+/* A keyword with all that hangs on it; -1: it was a directive, go on. */
+static int keyword_fetch(struct parser *p, enum keyword keyword, struct token_value *v, span where)
+{
+	if (!is_bare_directive(p->expand, keyword))
+		return keyword_value(p, keyword, v);
+	return directive_bare(p, keyword, where) ? -1 : 0;
+}
+
+/* A name; -1: it was a macro, go on. `name` is at the present position. */
+static int name_fetch(struct parser *p, uint32_t name, struct token_value *v, span *where)
+{
+	struct expand *x = p->expand;
+	const struct name *n = &x->names.list[name];
+	v->name = n->text;
+	struct symbol *symbol = n->hidden ? NULL : n->binding;
+	if (symbol && symbol->slot->kind == VALUE_MACRO) {
+		if (gate_holds(x->gate)) {
+			v->symbol = symbol;
+			return T_MACRO; /* not taken: it is there again when the gate is live */
+		}
+		raw_take(p);
+		return macro_call(p, symbol, *where) ? -1 : 0;
+	}
+	raw_take(p);
+	if (!symbol)
+		return T_UNDECLARED;
+	return identifier_token(p, name, where, v);
+}
+
+/* In a held position: the rest of an #if whose branch ends may be passed over all the same, which
+ * lets a macro give back a value from within an #if. */
+static bool passes_gate(const struct expand *x, const struct directive *d)
+{
+	if (d->keyword != K_ELSE && d->keyword != K_ELSEIF && d->keyword != K_END)
+		return false;
+	const enum block_kind kind =
+		x->block_count ? x->blocks[x->block_count - 1].kind : BLOCK_MACRO;
+	return kind == BLOCK_IF || (kind == BLOCK_ELSE && d->keyword == K_END);
+}
+
+/* The end of the present text was reached: 0 at the end of the scene. */
+static int at_end(struct parser *p, span *where)
+{
+	*where = end_span(top_frame(p->expand));
+	if (leave_frame(p))
+		return -1;
+	if (!p->failed && p->expand->frame_count == 1)
+		block_report_open(p);
+	return 0;
+}
+
+static int fetch(struct parser *p, struct token_value *v, span *where)
+{
+	struct expand *x = p->expand;
+	struct frame *f = top_frame(x);
+	if (f->position == f->end)
+		return at_end(p, where);
+	const struct raw_token raw = f->tokens[f->position];
+	*where = raw_span_of(x, f, raw);
+	switch (raw.kind) {
+	case RAW_INTEGER:
+		f->position++;
+		x->work++;
+		return number_token(v, raw.payload);
+	case RAW_NUMBER:
+		f->position++;
+		x->work++;
+		return number_token(v, f->source->numbers[raw.payload]);
+	case RAW_NUMBER_TEXT: {
+		size_t length;
+		raw_take(p);
+		return number_token(v, number_at(f->source->bytes + raw.offset, &length));
+	}
+	case RAW_STRING: {
+		const char *text = f->source->bytes + raw.offset + 1;
+		raw_take(p);
+		v->raw = string_literal(p, text, raw.payload, *where, false);
+		v->string = memchr(text, '\\', raw.payload)
+				    ? string_literal(p, text, raw.payload, *where, true)
+				    : v->raw;
+		return v->string ? T_STRING : 0;
+	}
+	case RAW_KEYWORD:
+		raw_take(p);
+		return keyword_fetch(p, (enum keyword)raw.payload, v, *where);
+	case RAW_NAME:
+		return name_fetch(p, raw.payload, v, where);
+	case RAW_DIRECTIVE:
+		if (gate_holds(x->gate) && !passes_gate(x, &f->source->directives[raw.payload]))
+			return T_HASH; /* not taken either */
+		return directive_run(p) ? -1 : 0;
+	case RAW_LE:
+		raw_take(p);
+		return T_LE;
+	case RAW_GE:
+		raw_take(p);
+		return T_GE;
+	case RAW_NE:
+		raw_take(p);
+		return T_NE;
+	case RAW_ERROR:
+		report_lexical(p, f);
+		return 0;
+	default:
+		raw_take(p);
+		return (int)raw.kind;
+	}
+}
+
+int expand_next(struct parser *p, struct token_value *v, span *where)
+{
+	struct expand *x = p->expand;
+	if (x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count &&
+		!p->failed) {
+		const struct unread *u = &x->unread[--x->unread_count];
+		*v = u->value;
+		*where = u->where;
+		x->before = *x->gate;
+		gate_note(x->gate, u->token, v);
+		return u->token;
+	}
+	int token;
+	do {
+		*v = (struct token_value){ 0 };
+		*where = NO_SPAN;
+		token = p->failed ? 0 : fetch(p, v, where);
+	} while (token < 0);
+	if (p->failed)
+		return 0;
+	symbols_recycle(&x->symbols, ++p->token_count);
+	x->before = *x->gate;
+	gate_note(x->gate, token, v);
+	return token;
+}
+
+void expand_unread(struct parser *p, int token, const struct token_value *v, span where)
+{
+	struct expand *x = p->expand;
+	if (x->before.outer == x->gate->outer && x->before.delivered + 1 == x->gate->delivered)
+		*x->gate = x->before;
+	else if (x->gate->delivered)
+		x->gate->delivered--;
+	if (token == T_HASH || token == T_MACRO || token == 0)
+		return; /* were not taken */
+	if (x->unread_count == MAX_UNREAD) {
+		parser_error(p, where, "too many tokens read ahead");
+		return;
+	}
+	x->unread[x->unread_count++] = (struct unread){
+		.token = token, .where = where, .frame = x->frame_count, .value = *v
+	};
+}
+
+/* -- Small readers for the directives ----------------------------------------------------- */
+
+const char *token_describe(struct parser *p, int token, const struct token_value *v)
+{
+	if (token == 0)
+		return "the end of the text";
+	if (token == T_HASH)
+		return "a directive";
+	if (v->name)
+		return arena_printf(p->arena, "'%s'", v->name);
+	if (v->keyword)
+		return arena_printf(p->arena, "'%s'", keyword_name(v->keyword));
+	if (token == T_STRING)
+		return "a string";
+	if (token == T_NUMBER)
+		return arena_printf(p->arena, "the number %g", v->number.v[0]);
+	if (token == T_LE || token == T_GE || token == T_NE)
+		return "a comparison";
+	return arena_printf(p->arena, "'%c'", token);
+}
+
+bool expect(struct parser *p, int token, const char *what)
+{
+	struct token_value v;
+	span where;
+	const int found = expand_next(p, &v, &where);
+	if (found == token && !p->failed)
+		return true;
+	if (found == T_UNDECLARED)
+		parser_error_undeclared(p, where, v.name);
+	parser_error(p, where, "expected %s, found %s", what, token_describe(p, found, &v));
+	return false;
+}
+
+bool accept(struct parser *p, int token)
+{
+	struct token_value v;
+	span where;
+	const int found = expand_next(p, &v, &where);
+	if (found == token)
+		return true;
+	expand_unread(p, found, &v, where);
+	return false;
+}
+
+/* -- Names hidden by the parameters of a function ------------------------------------------- */
+
+struct hidden_names {
+	struct hidden_names *outer;
+	size_t count;
+	uint32_t ids[];
+};
+
+void expand_push_names(struct parser *p, const char *const *names, size_t count)
+{
+	struct expand *x = p->expand;
+	struct hidden_names *h = arena_alloc(p->arena, sizeof *h + count * sizeof h->ids[0]);
+	*h = (struct hidden_names){ .outer = x->hidden, .count = count };
+	for (size_t i = 0; i < count; i++) {
+		h->ids[i] = names_intern(&x->names, names[i], strlen(names[i]));
+		x->names.list[h->ids[i]].hidden++;
+	}
+	x->hidden = h;
+}
+
+void expand_pop_names(struct parser *p)
+{
+	struct hidden_names *h = p->expand->hidden;
+	for (size_t i = 0; i < h->count; i++)
+		p->expand->names.list[h->ids[i]].hidden--;
+	p->expand->hidden = h->outer;
+}
+
+void symbol_assign(struct parser *p, struct symbol *symbol, const struct value *value)
+{
+	*symbol->slot = value_copy(p->arena, value);
+}
+
+/* -- Beginning and end -------------------------------------------------------------------- */
+
+struct expand *expand_create(struct parser *p)
+{
+	struct expand *x = ARENA_NEW(p->arena, struct expand);
+	names_init(&x->names, p->arena);
+	symbols_init(&x->symbols, &x->names, p->arena);
+	x->gate = &x->scene_gate;
+	return x;
+}
+
+void expand_destroy(struct expand *x)
+{
+	files_finish(x);
+	for (struct source *s = x->sources; s; s = s->previous)
+		source_finish(s);
+	names_finish(&x->names);
+}

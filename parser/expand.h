@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Inside the directive layer: the stack of texts being read, the open blocks,
+ * the gate, and what its files offer to one another.
+ */
+#ifndef LAMBERT_PARSER_EXPAND_H
+#define LAMBERT_PARSER_EXPAND_H
+
+#include "parser/internal.h"
+#include "parser/source.h"
+#include "parser/symbol.h"
+
+enum {
+	MAX_BLOCKS = 199,
+	MAX_FILES = 32,
+	MAX_PARAMETERS = 55,
+	MAX_UNREAD = 16,
+};
+
+#define EPSILON 1e-10 /* the one tolerance of comparisons in the language */
+
+/* A piece of text being read: a file or the body of a macro. */
+struct frame {
+	struct source *source;
+	const struct raw_token *tokens;
+	uint32_t position, end;
+	uint32_t site;
+	bool is_macro;
+	unsigned blocks; /* open when it began */
+	span call;	 /* the #include or macro call */
+};
+
+enum block_kind {
+	BLOCK_IF,     /* in a branch that is taken */
+	BLOCK_ELSE,   /* in a taken #else */
+	BLOCK_SWITCH, /* no case has matched yet */
+	BLOCK_CASE,   /* a case has matched */
+	BLOCK_WHILE,
+	BLOCK_FOR,
+	BLOCK_MACRO, /* a running macro: the frame on top of it */
+};
+
+struct block {
+	enum block_kind kind;
+	unsigned frame; /* number of the frame it began in */
+	uint32_t start; /* loops: the token after the directive, or of the body */
+	uint32_t end;	/* token of the #end, NO_TOKEN: not in this text */
+	span opened;
+	enum keyword opener;
+	double value;	 /* of a switch */
+	uint32_t name;	 /* #for: its variable */
+	double to, step; /* #for */
+};
+
+/* Decides whether directives and macros are executed when the next token is fetched (live) or come
+ * back as tokens (held). While an expression is read whose end only the next token shows, what
+ * follows a complete operand is held: it must not happen before the expression is used. */
+struct gate {
+	struct gate *outer;
+	bool hold;	    /* held behind operands at depth 0; else always live */
+	bool operand;	    /* a complete operand precedes */
+	bool dot;	    /* a period precedes */
+	unsigned depth;	    /* open brackets */
+	uint64_t angles;    /* one bit per bracket, innermost lowest: it is '<' */
+	unsigned delivered; /* tokens */
+	int first;	    /* the first token … */
+	struct value *slot; /* … and, for an identifier, where its value is */
+	unsigned table;	    /* and in which symbol table */
+};
+
+struct macro {
+	uint32_t name;
+	struct source *source;
+	uint32_t start, end; /* of the body */
+	unsigned parameter_count;
+	uint32_t *parameters; /* name ids */
+	const char *context;  /* for messages */
+	span last_call;	      /* and the site made for it: loops call from one place */
+	uint32_t last_site;
+};
+
+struct unread {
+	int token;
+	span where;
+	unsigned frame; /* number of frames when it was handed back */
+	struct token_value value;
+};
+
+/* Text on its way to a stream, until its line is complete. */
+struct text_line {
+	char *bytes;
+	size_t length, room;
+};
+
+struct scene_file;
+
+struct expand {
+	struct names names;
+	struct symbols symbols;
+	struct source *sources; /* all read, newest first */
+	/* Frame 0 is the main file. */
+	struct frame frames[MAX_FILES + SYMBOL_TABLES];
+	unsigned frame_count, file_count;
+	struct block blocks[MAX_BLOCKS];
+	unsigned block_count;
+	struct gate *gate, scene_gate;
+	struct gate before; /* the gate as it was before the latest token */
+	struct unread unread[MAX_UNREAD];
+	unsigned unread_count;
+	unsigned nesting; /* of nested parses */
+	size_t work;	  /* raw tokens read */
+	struct text_line debug_line;
+	bool has_written;	     /* the scene wrote a file, which it may include later */
+	struct scene_file *files;    /* all opened, newest first */
+	struct hidden_names *hidden; /* by the parameters of functions being read */
+};
+
+/* -- expand.c: raw tokens and gates -- */
+
+struct expand *expand_create(struct parser *);
+void expand_destroy(struct expand *);
+/* Begins to read a text; false after an error. */
+bool expand_push_file(struct parser *, struct source *, span call);
+
+/* Between gate_open and gate_close tokens are counted and held by the gate given. */
+void gate_open(struct parser *, struct gate *, bool hold);
+void gate_close(struct parser *);
+
+/* The next raw token as it stands, behind the ends of macros; NULL at the end of a file. */
+const struct raw_token *raw_peek(struct parser *);
+/* Steps over it; `span` of it. */
+span raw_take(struct parser *);
+/* Span of the raw token that raw_peek returns. */
+span raw_span(struct parser *);
+/* Words for a raw token in a message. */
+const char *raw_describe(struct parser *, const struct raw_token *);
+/* Takes the raw token if it is of that kind (and, for keywords, that payload). */
+bool raw_accept(struct parser *, unsigned kind);
+bool raw_accept_keyword(struct parser *, enum keyword);
+/* Takes a name that is not reserved; false after an error, which says what it is for. */
+bool raw_name(struct parser *, const char *what, uint32_t *name, span *);
+/* Takes a string literal of the raw token stream. */
+const char *raw_string(struct parser *, bool escapes);
+
+/* The next token must be `token`; false after an error. */
+bool expect(struct parser *, int token, const char *what);
+/* Takes the next token if it is `token`. */
+bool accept(struct parser *, int token);
+/* Words for a token in a message. */
+const char *token_describe(struct parser *, int token, const struct token_value *);
+
+/* Text of a string literal: escapes processed, charset applied. */
+const char *string_literal(struct parser *, const char *text, size_t length, span, bool escapes);
+
+/* -- the files of the directives: each returns false after an error -- */
+
+/* directive.c: the directive at the present position, which is stepped over. */
+bool directive_run(struct parser *);
+/* directive.c: one without its '#'. */
+bool directive_bare(struct parser *, enum keyword, span);
+
+/* identifier.c */
+/* The token of an identifier: subscripts read. 0 after an error. */
+int identifier_token(struct parser *, uint32_t name, span *, struct token_value *);
+/* Reads the subscripts behind an array: the element. NULL after an error. */
+struct value *identifier_element(struct parser *, struct value *array, const char *name, span *);
+/* The test of #ifdef and defined(): reads "( N )". */
+bool identifier_defined(struct parser *, bool *);
+
+/* declare.c */
+bool declare_run(struct parser *, bool local, span);
+bool undef_run(struct parser *, span);
+
+/* condition.c */
+/* "( condition )": its value. */
+bool condition_read(struct parser *, double *value);
+bool condition_if(struct parser *, const struct directive *, span);
+bool condition_else(struct parser *, const struct directive *, span);
+bool condition_elseif(struct parser *, const struct directive *, span);
+bool condition_switch(struct parser *, const struct directive *, span);
+bool condition_case(struct parser *, const struct directive *, span);
+
+/* block.c */
+struct block *block_push(struct parser *, enum block_kind, const struct directive *, span);
+bool block_end(struct parser *, span);
+bool block_break(struct parser *, span);
+/* Moves to the next part of a block whose present part is `part`, over the text between. The part
+ * is stepped over; NULL after an error. */
+const struct directive *block_skip_to_part(
+	struct parser *, const struct directive *part, span opened, span *where);
+/* Reports the blocks that are open at the end of the scene. */
+void block_report_open(struct parser *);
+
+/* loop.c */
+bool loop_while(struct parser *, const struct directive *, span);
+bool loop_for(struct parser *, const struct directive *, span);
+/* At the #end: again, or on. */
+bool loop_again(struct parser *, span);
+/* Gives up when the scene has loops that do not end. */
+bool loop_within_limit(struct parser *, span);
+
+/* macro.c */
+bool macro_define(struct parser *, const struct directive *, span);
+bool macro_call(struct parser *, struct symbol *, span);
+
+/* include.c */
+bool include_run(struct parser *, span);
+
+/* message.c */
+bool message_run(struct parser *, enum keyword, span);
+
+/* textfile.c */
+bool file_open(struct parser *, span);
+bool file_close(struct parser *, span);
+bool file_read(struct parser *, span);
+bool file_write(struct parser *, span);
+void files_finish(struct expand *);
+
+#endif

@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * From scene text to AST: sets up the parse, declares what options declare,
+ * reads the scene, settles what only its end decides.
+ */
+#include "parser/expand.h"
+
+#include <errno.h>
+#include <locale.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct language_state *parser_change_state(struct parser *p)
+{
+	struct language_state *state = arena_copy(p->arena, p->state, sizeof *state);
+	p->state = state;
+	return state;
+}
+
+void parser_error(struct parser *p, span where, const char *format, ...)
+{
+	if (p->failed)
+		return;
+	char text[1024];
+	va_list args;
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	p->failed = true;
+	diag_error(p->diag, where, "%s", text);
+}
+
+void parser_error_undeclared(struct parser *p, span where, const char *name)
+{
+	const char *nearest = p->failed ? NULL : names_nearest(&p->expand->names, name);
+	if (nearest)
+		parser_error(
+			p, where, "undeclared identifier '%s'; did you mean '%s'?", name, nearest);
+	else
+		parser_error(p, where, "undeclared identifier '%s'", name);
+}
+
+span span_join(span first, span last)
+{
+	const uint32_t end = last.offset + last.length;
+	if (first.source == 0)
+		return last;
+	if (first.source == last.source && first.site == last.site && end > first.offset)
+		first.length = end - first.offset;
+	return first;
+}
+
+static bool is_word(const char *name)
+{
+	const size_t length =
+		strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_");
+	return length && !name[length] && !(*name >= '0' && *name <= '9');
+}
+
+/* Declarations of options: the first of a name wins; reserved or impossible names do nothing. */
+static void declare_options(struct parser *p)
+{
+	struct symbols *s = &p->expand->symbols;
+	for (size_t i = 0; i < p->options->declaration_count; i++) {
+		const struct declaration *d = &p->options->declarations[i];
+		if (!is_word(d->name))
+			continue;
+		const uint32_t id = names_intern(s->names, d->name, strlen(d->name));
+		if (s->names->list[id].keyword || symbol_find(s, id))
+			continue;
+		struct value *v = symbol_create(s, id, SYMBOL_GLOBAL)->slot;
+		if (d->string)
+			*v = (struct value){
+				.kind = VALUE_STRING,
+				.string = arena_string(p->arena, d->string, strlen(d->string)),
+			};
+		else
+			*v = (struct value){ .kind = VALUE_NUMBER,
+				.number = { 1, false, { d->number } } };
+	}
+}
+
+/* The file that options want read before the scene. */
+static bool begin_header(struct parser *p)
+{
+	static const char *const extensions[] = { ".inc", ".INC", NULL };
+	const char *name = p->options->include_header;
+	if (!name)
+		return true;
+	bool courtesy;
+	const char *path = file_find(p->options, name, extensions, &courtesy, p->arena);
+	struct expand *x = p->expand;
+	struct source *s = path ? source_read(p->arena, p->diag, &x->names, path, false) : NULL;
+	if (!s) {
+		parser_error(p, NO_SPAN, "cannot read the include header '%s': %s", name,
+			path ? strerror(errno) : "not found");
+		return false;
+	}
+	s->previous = x->sources;
+	x->sources = s;
+	return expand_push_file(p, s, NO_SPAN);
+}
+
+static bool begin(struct parser *p, const char *path, const char *text, size_t size)
+{
+	struct expand *x = p->expand;
+	struct source *s =
+		text ? source_create(p->arena, p->diag, &x->names, path, text, size, true)
+		     : source_read(p->arena, p->diag, &x->names, path, true);
+	if (!s) {
+		parser_error(p, NO_SPAN, "cannot read %s: %s", path, strerror(errno));
+		return false;
+	}
+	s->previous = x->sources;
+	x->sources = s;
+	if (s->has_mark)
+		p->charset = CHARSET_UTF8;
+	declare_options(p);
+	return expand_push_file(p, s, NO_SPAN) && begin_header(p);
+}
+
+/* Version rules that only the end of the text decides. */
+static void settle(struct parser *p)
+{
+	if (!p->state->version_set)
+		diag_warning(p->diag, NO_SPAN,
+			"the scene has no #version: some things follow the rules of 3.6.2");
+	if (p->state->version < 350)
+		parser_change_state(p)->version = 350;
+}
+
+static const struct ast *finish(struct parser *p, const struct node *statements)
+{
+	settle(p);
+	struct ast *ast = ARENA_NEW(p->arena, struct ast);
+	*ast = (struct ast){
+		.statements = statements,
+		.final = *p->state,
+		.token_count = p->token_count,
+	};
+	return ast;
+}
+
+/* The scene; numbers are read and written with a period whatever the country. */
+static const struct ast *parse(struct parser *p, const char *path, const char *text, size_t size)
+{
+	const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+	const locale_t before = plain ? uselocale(plain) : (locale_t)0;
+	const struct node *statements = NULL;
+	const bool ok =
+		begin(p, path, text, size) && parse_statements(p, &statements) && !p->failed;
+	if (plain) {
+		uselocale(before);
+		freelocale(plain);
+	}
+	return ok ? finish(p, statements) : NULL;
+}
+
+const struct ast *parse_scene(const char *path, const char *text, size_t size,
+	const struct parse_options *options, struct diag *diag, struct arena *arena)
+{
+	struct language_state *state = ARENA_NEW(arena, struct language_state);
+	state->version = options->version ? options->version : 370;
+	state->version_set = options->version_set;
+	struct parser p = { .diag = diag, .arena = arena, .options = options, .state = state };
+	p.expand = expand_create(&p);
+	const struct ast *ast = parse(&p, path, text, size);
+	expand_destroy(p.expand);
+	free(p.seeds);
+	return ast;
+}

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Source texts and their raw tokens. A text is read whole and lexed once, into
+ * 8 bytes per token; what loops and macros do later is to replay these tokens.
+ * The parts of a block (#if … #else … #end) are linked while lexing, so that
+ * skipping text is one jump.
+ */
+#ifndef LAMBERT_PARSER_SOURCE_H
+#define LAMBERT_PARSER_SOURCE_H
+
+#include "base/diag.h"
+#include "parser/names.h"
+
+/* Kinds below 128 are the punctuation character itself. */
+enum raw_kind {
+	RAW_INTEGER = 128, /* payload: the value */
+	RAW_NUMBER,	   /* payload: index into numbers */
+	RAW_NUMBER_TEXT,   /* to be read again from the text: numbers is full */
+	RAW_STRING,	   /* payload: bytes between the quotes */
+	RAW_KEYWORD,	   /* payload: enum keyword */
+	RAW_NAME,	   /* payload: id of the name */
+	RAW_DIRECTIVE,	   /* payload: index into directives; stands for '#' and the word */
+	RAW_LE,		   /* <= */
+	RAW_GE,		   /* >= */
+	RAW_NE,		   /* != */
+	RAW_ERROR,	   /* the text goes wrong here: see error; the last token */
+};
+
+enum { RAW_PAYLOAD_MAX = (1 << 24) - 1 };
+
+struct raw_token {
+	uint32_t offset;
+	uint32_t kind : 8, payload : 24;
+};
+
+#define NO_TOKEN UINT32_MAX
+
+/* A directive in the text. The parts of one block are chained; `end` is the matching #end. */
+struct directive {
+	enum keyword keyword;
+	uint32_t token;	 /* where it stands itself */
+	uint32_t length; /* in bytes, from # to the end of the word */
+	uint32_t next;	 /* token of the next part of the block: #else, #case …, #end */
+	uint32_t end;	 /* token of the matching #end */
+	bool has_opener; /* it is a part of a block that begins in this text */
+};
+
+struct source {
+	const char *name;
+	char *bytes; /* followed by two zero bytes */
+	size_t size;
+	uint32_t number; /* for diag */
+	bool has_mark;	 /* began with a byte-order mark */
+	struct raw_token *tokens;
+	uint32_t count, room;
+	double *numbers;
+	uint32_t number_count, number_room;
+	struct directive *directives;
+	uint32_t directive_count, directive_room;
+	const char *error; /* of the last token if that is RAW_ERROR */
+	uint32_t error_offset, error_length;
+	const char *error_note; /* a second place: where the string began …; NULL: none */
+	uint32_t note_offset;
+	struct source *previous; /* of all read by this parse */
+};
+
+/* Makes a source of a text: copies, registers and lexes it. `main_file`: a byte-order mark is
+ * dropped. Owned by the arena but for the token arrays: source_finish. */
+struct source *source_create(struct arena *, struct diag *, struct names *, const char *name,
+	const char *text, size_t size, bool main_file);
+/* The same with the bytes of a file; NULL with errno set if it cannot be read. */
+struct source *source_read(
+	struct arena *, struct diag *, struct names *, const char *path, bool main_file);
+/* Frees the tokens of the source (the text stays for messages). */
+void source_finish(struct source *);
+
+/* Value and length of the number literal at `text`, which is one. */
+double number_at(const char *text, size_t *length);
+
+/* -- between the lexer and source.c -- */
+
+/* Fills in the tokens (lexer.l). */
+void lex_source(struct source *, struct names *, struct arena *);
+void source_push(struct source *, unsigned kind, uint32_t offset, uint32_t payload);
+void source_push_number(struct source *, uint32_t offset, double value);
+void source_push_directive(struct source *, enum keyword, uint32_t offset, uint32_t length);
+/* Links the parts of all blocks, once the text is lexed. */
+void source_link(struct source *);
+/* Whether a word after # is a directive. */
+bool is_directive(enum keyword);
+
+#endif

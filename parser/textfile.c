@@ -1,0 +1,530 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * #fopen, #fclose, #read and #write: text files of the scene's own.
+ *
+ * A file to read is lexed like a scene, and #read takes data from its tokens. A
+ * scene can be a stranger's: it may write below the current folder only, and
+ * read below that, beside itself and in the library, unless options allow more.
+ */
+#include "parser/expand.h"
+
+#include "grammar.tab.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct scene_file {
+	const char *path;
+	FILE *out;	   /* open for writing */
+	struct source *in; /* open for reading */
+	uint32_t position; /* the next token of `in` */
+	struct scene_file *previous;
+};
+
+/* -- What may be touched ------------------------------------------------------------------ */
+
+static bool is_below(const char *path, const char *folder)
+{
+	char real[PATH_MAX];
+	if (!realpath(*folder ? folder : ".", real))
+		return false;
+	const size_t length = strlen(real);
+	return !strncmp(path, real, length) &&
+	       (path[length] == '/' || path[length] == 0 || real[length - 1] == '/');
+}
+
+static bool is_below_any(const char *path, const char *const *folders, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		if (is_below(path, folders[i]))
+			return true;
+	return false;
+}
+
+static bool may_write(const struct parse_options *o, const char *real)
+{
+	return is_below(real, ".") || is_below_any(real, o->write_paths, o->write_path_count);
+}
+
+static bool may_read(const struct parse_options *o, const char *real)
+{
+	return may_write(o, real) || (o->scene_folder && is_below(real, o->scene_folder)) ||
+	       is_below_any(real, o->library_paths, o->library_path_count) ||
+	       is_below_any(real, o->read_paths, o->read_path_count);
+}
+
+/* The true path of a file, which need not exist yet; links are followed. */
+static bool true_path(const char *path, char real[PATH_MAX])
+{
+	if (realpath(path, real))
+		return true;
+	if (errno != ENOENT)
+		return false;
+	const char *slash = strrchr(path, '/');
+	const char *last = slash ? slash + 1 : path;
+	char folder[PATH_MAX];
+	const size_t length = slash ? (size_t)(slash - path) : 0;
+	if (length >= sizeof folder)
+		return false;
+	memcpy(folder, path, length);
+	folder[length] = 0;
+	if (!realpath(length ? folder : slash ? "/" : ".", real))
+		return false;
+	const size_t used = strlen(real);
+	if (used + 1 + strlen(last) >= PATH_MAX)
+		return false;
+	if (used > 1)
+		strcat(real, "/");
+	strcat(real, last);
+	return true;
+}
+
+/* -- #fopen, #fclose ---------------------------------------------------------------------- */
+
+static bool open_to_read(struct parser *p, struct scene_file *f, span where)
+{
+	struct expand *x = p->expand;
+	bool courtesy;
+	char real[PATH_MAX];
+	const char *path = file_find(p->options, f->path, NULL, &courtesy, p->arena);
+	if (!path) {
+		parser_error(p, where, "file '%s' to read not found", f->path);
+		return false;
+	}
+	if (courtesy)
+		diag_warning(p->diag, where, "file '%s' found as %s", f->path, path);
+	if (!true_path(path, real) || !may_read(p->options, real)) {
+		parser_error(p, where, "the scene is not allowed to read '%s'", path);
+		return false;
+	}
+	f->in = source_read(p->arena, p->diag, &x->names, path, false);
+	if (!f->in) {
+		parser_error(p, where, "cannot read %s: %s", path, strerror(errno));
+		return false;
+	}
+	f->in->previous = x->sources;
+	x->sources = f->in;
+	return true;
+}
+
+static bool open_to_write(struct parser *p, struct scene_file *f, const char *mode, span where)
+{
+	char real[PATH_MAX];
+	if (p->options->no_file_io) {
+		parser_error(p, where, "the scene is not allowed to write files ('%s')", f->path);
+		return false;
+	}
+	if (!true_path(f->path, real)) {
+		parser_error(p, where, "cannot write %s: %s", f->path, strerror(errno));
+		return false;
+	}
+	if (!may_write(p->options, real)) {
+		parser_error(p, where,
+			"the scene is not allowed to write '%s', which is not below the current "
+			"folder",
+			f->path);
+		return false;
+	}
+	f->out = fopen(real, mode);
+	if (!f->out)
+		parser_error(p, where, "cannot write %s: %s", f->path, strerror(errno));
+	p->expand->has_written = true;
+	return f->out != NULL;
+}
+
+static bool open_as(struct parser *p, struct scene_file *f, span where)
+{
+	struct token_value v;
+	span at;
+	const int mode = expand_next(p, &v, &at);
+	if (mode == KW_READ)
+		return open_to_read(p, f, where);
+	if (mode == KW_WRITE || mode == KW_APPEND)
+		return open_to_write(p, f, mode == KW_WRITE ? "wb" : "ab", where);
+	parser_error(
+		p, at, "expected read, write or append, found %s", token_describe(p, mode, &v));
+	return false;
+}
+
+bool file_open(struct parser *p, span where)
+{
+	struct symbols *s = &p->expand->symbols;
+	uint32_t name;
+	span at;
+	struct gate gate;
+	if (!raw_name(p, "a name for the file", &name, &at))
+		return false;
+	struct symbol *symbol = symbol_find(s, name);
+	if (symbol && symbol->slot->kind != VALUE_NONE) {
+		parser_error(p, at, "'%s' is declared already", symbol->text);
+		return false;
+	}
+	struct scene_file *f = ARENA_NEW(p->arena, struct scene_file);
+	gate_open(p, &gate, true);
+	const bool ok = parse_string(p, &f->path, true) && open_as(p, f, where);
+	gate_close(p);
+	if (!ok)
+		return false;
+	f->previous = p->expand->files;
+	p->expand->files = f;
+	if (!symbol)
+		symbol = symbol_create(s, name, SYMBOL_GLOBAL);
+	*symbol->slot = (struct value){ .kind = VALUE_FILE, .file = f };
+	return true;
+}
+
+static bool close_file(struct parser *p, struct symbol *symbol, span where)
+{
+	struct scene_file *f = symbol->slot->file;
+	bool ok = true;
+	if (f->out) {
+		const bool failed = ferror(f->out);
+		ok = !fclose(f->out) && !failed;
+		f->out = NULL;
+	}
+	f->in = NULL;
+	symbol->slot->kind = VALUE_NONE;
+	symbol_remove(&p->expand->symbols, symbol);
+	if (!ok)
+		parser_error(p, where, "cannot write %s: %s", f->path, strerror(errno));
+	return ok;
+}
+
+bool file_close(struct parser *p, span where)
+{
+	uint32_t name;
+	span at;
+	if (!raw_name(p, "the name of a file", &name, &at))
+		return false;
+	struct symbol *symbol = symbol_find(&p->expand->symbols, name);
+	if (!symbol || symbol->slot->kind != VALUE_FILE)
+		return true;
+	return close_file(p, symbol, where);
+}
+
+void files_finish(struct expand *x)
+{
+	for (struct scene_file *f = x->files; f; f = f->previous)
+		if (f->out)
+			fclose(f->out);
+}
+
+/* The handle behind the bracket of #read and #write. */
+static struct symbol *read_handle(struct parser *p, bool to_read)
+{
+	struct token_value v;
+	span where;
+	if (!expect(p, '(', "'('"))
+		return NULL;
+	const int token = expand_next(p, &v, &where);
+	if (token != T_FILE) {
+		parser_error(
+			p, where, "expected an open file, found %s", token_describe(p, token, &v));
+		return NULL;
+	}
+	const struct scene_file *f = v.symbol->slot->file;
+	if (to_read ? !f->in : !f->out) {
+		parser_error(p, where, "file '%s' was opened to be %s", f->path,
+			to_read ? "written" : "read");
+		return NULL;
+	}
+	return v.symbol;
+}
+
+/* -- #read -------------------------------------------------------------------------------- */
+
+static const struct raw_token *datum_token(const struct scene_file *f)
+{
+	return f->position < f->in->count ? &f->in->tokens[f->position] : NULL;
+}
+
+static bool take_kind(struct scene_file *f, unsigned kind)
+{
+	const struct raw_token *raw = datum_token(f);
+	if (!raw || raw->kind != kind)
+		return false;
+	f->position++;
+	return true;
+}
+
+static bool report_datum(struct parser *p, const struct scene_file *f)
+{
+	const struct raw_token *raw = datum_token(f);
+	const uint32_t at = raw ? raw->offset : (uint32_t)f->in->size;
+	const span where = { f->in->number, at, 1, 0 };
+	if (raw && raw->kind == RAW_ERROR)
+		parser_error(p, where, "%s", f->in->error);
+	else
+		parser_error(
+			p, where, "expected a number, a vector of numbers or a string to #read");
+	return false;
+}
+
+static bool read_number(struct parser *p, struct scene_file *f, double *value)
+{
+	while (take_kind(f, '+'))
+		;
+	const bool negative = take_kind(f, '-');
+	const struct raw_token *raw = datum_token(f);
+	size_t length;
+	switch (raw ? raw->kind : RAW_ERROR) {
+	case RAW_INTEGER:
+		*value = raw->payload;
+		break;
+	case RAW_NUMBER:
+		*value = f->in->numbers[raw->payload];
+		break;
+	case RAW_NUMBER_TEXT:
+		*value = number_at(f->in->bytes + raw->offset, &length);
+		break;
+	default:
+		return report_datum(p, f);
+	}
+	f->position++;
+	if (negative)
+		*value = -*value;
+	return true;
+}
+
+static bool read_vector(struct parser *p, struct scene_file *f, struct value *v)
+{
+	unsigned terms = 0;
+	while (!take_kind(f, '>')) {
+		if (terms == 5 || !read_number(p, f, &v->number.v[terms]))
+			return report_datum(p, f);
+		terms++;
+		take_kind(f, ',');
+	}
+	if (terms < 2)
+		return report_datum(p, f);
+	v->number.terms = (uint8_t)terms;
+	if (terms == 5) {
+		v->kind = VALUE_COLOUR;
+		for (int i = 0; i < 5; i++)
+			v->number.v[i] = (float)v->number.v[i];
+	}
+	return true;
+}
+
+static bool read_datum(struct parser *p, struct scene_file *f, struct value *v)
+{
+	const struct raw_token *raw = datum_token(f);
+	if (raw->kind == RAW_STRING) {
+		const span where = { f->in->number, raw->offset, raw->payload + 2, 0 };
+		f->position++;
+		v->kind = VALUE_STRING;
+		v->string = string_literal(
+			p, f->in->bytes + raw->offset + 1, raw->payload, where, true);
+		return v->string != NULL;
+	}
+	v->kind = VALUE_NUMBER;
+	v->number = (struct number){ .terms = 1 };
+	return take_kind(f, '<') ? read_vector(p, f, v) : read_number(p, f, &v->number.v[0]);
+}
+
+/* A variable to read into: it exists as a float, 3-vector or string, or not at all. */
+static bool read_target(struct parser *p, struct value **slot, struct array **array, span *where)
+{
+	struct symbols *s = &p->expand->symbols;
+	uint32_t name;
+	if (!raw_name(p, "a variable to read", &name, where))
+		return false;
+	struct symbol *symbol = symbol_find(s, name);
+	if (!symbol)
+		symbol = symbol_create(s, name, SYMBOL_GLOBAL);
+	*slot = symbol->slot;
+	*array = NULL;
+	const struct raw_token *raw;
+	while ((*slot)->kind == VALUE_ARRAY && (raw = raw_peek(p)) && raw->kind == '[') {
+		*array = (*slot)->array;
+		*slot = identifier_element(p, *slot, symbol->text, where);
+		if (!*slot)
+			return false;
+	}
+	const struct value *v = *slot;
+	const bool fits =
+		v->kind == VALUE_NONE || v->kind == VALUE_STRING ||
+		(v->kind == VALUE_NUMBER && (v->number.terms == 1 || v->number.terms == 3));
+	if (fits && !(*array && (*array)->kind == VALUE_NONE))
+		return true;
+	parser_error(p, *where, "'%s' cannot be read into: it is no float, 3-vector or string",
+		symbol->text);
+	return false;
+}
+
+/* Reads one datum. Without a comma behind it the token that is there instead is lost, as the
+ * language has it; at the end of the file the handle goes. */
+static bool read_into(struct parser *p, struct symbol *handle, struct value *slot,
+	struct array *array, span where)
+{
+	struct scene_file *f = handle->slot->file;
+	struct value v;
+	if (f->position == f->in->count)
+		return close_file(p, handle, where);
+	if (!read_datum(p, f, &v))
+		return false;
+	if (array && !array_accepts(array, &v)) {
+		parser_error(p, where, "the datum does not have the type of the array's elements");
+		return false;
+	}
+	*slot = v;
+	if (f->position == f->in->count)
+		return close_file(p, handle, where);
+	f->position++;
+	return true;
+}
+
+bool file_read(struct parser *p, span where)
+{
+	(void)where;
+	struct symbol *handle = read_handle(p, true);
+	if (!handle)
+		return false;
+	handle->kept = true;
+	raw_accept(p, ',');
+	while (!raw_accept(p, ')')) {
+		struct value *slot;
+		struct array *array;
+		span at;
+		if (!read_target(p, &slot, &array, &at))
+			return false;
+		if (handle->slot->kind == VALUE_FILE && !read_into(p, handle, slot, array, at))
+			return false;
+		raw_accept(p, ',');
+	}
+	return !p->failed;
+}
+
+/* -- #write ------------------------------------------------------------------------------- */
+
+struct format {
+	int token;
+	unsigned bytes;
+	bool big_endian;
+	double lo, hi;
+};
+
+static const struct format *find_format(int token)
+{
+	// clang-format off
+	static const struct format formats[] = {
+		{ KW_SINT8,    1, false, -128, 127 },
+		{ KW_UINT8,    1, false, 0, 255 },
+		{ KW_SINT16LE, 2, false, -32768, 32767 },
+		{ KW_SINT16BE, 2, true,  -32768, 32767 },
+		{ KW_UINT16LE, 2, false, 0, 65535 },
+		{ KW_UINT16BE, 2, true,  0, 65535 },
+		{ KW_SINT32LE, 4, false, -2147483648.0, 2147483647 },
+		{ KW_SINT32BE, 4, true,  -2147483648.0, 2147483647 },
+	};
+	// clang-format on
+	for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++)
+		if (formats[i].token == token)
+			return &formats[i];
+	return NULL;
+}
+
+static void write_binary(FILE *out, const struct format *format, double value)
+{
+	const double rounded = value >= format->hi  ? format->hi
+			       : value > format->lo ? floor(value + 0.5)
+						    : format->lo;
+	const uint32_t bits = (uint32_t)(int64_t)rounded;
+	for (unsigned i = 0; i < format->bytes; i++) {
+		const unsigned shift = 8 * (format->big_endian ? format->bytes - 1 - i : i);
+		putc((int)(bits >> shift & 0xFF), out);
+	}
+}
+
+static void write_number(FILE *out, const struct format *format, const struct number *n)
+{
+	if (format) {
+		for (unsigned i = 0; i < n->terms; i++)
+			write_binary(out, format, n->v[i]);
+		return;
+	}
+	if (n->terms == 1) {
+		fprintf(out, "%g", n->v[0]);
+		return;
+	}
+	for (unsigned i = 0; i < n->terms; i++)
+		fprintf(out, "%c%g", i ? ',' : '<', n->v[i]);
+	fputs("> ", out);
+}
+
+/* One byte per code: those above 127 become spaces, below version 3.5 their lower byte. */
+static void write_string(struct parser *p, FILE *out, const char *text)
+{
+	while (*text) {
+		const unsigned char lead = (unsigned char)*text++;
+		uint32_t code = lead;
+		if (lead >= 0xC0) {
+			code = lead & (lead >= 0xE0 ? 0x0F : 0x1F);
+			while (((unsigned char)*text & 0xC0) == 0x80)
+				code = code << 6 | ((unsigned char)*text++ & 0x3F);
+		}
+		if (code > 127 && p->state->version >= 350)
+			code = ' ';
+		putc((int)(code & 0xFF), out);
+	}
+}
+
+static bool starts_string(int token)
+{
+	return token == T_STRING || token == KW_STR || token == KW_VSTR || token == KW_CONCAT ||
+	       token == KW_CHR || token == KW_SUBSTR || token == KW_STRUPR || token == KW_STRLWR ||
+	       token == KW_DATETIME;
+}
+
+static bool write_item(struct parser *p, FILE *out, int token, const struct format *format)
+{
+	if (starts_string(token)) {
+		const char *text;
+		if (!parse_string(p, &text, false))
+			return false;
+		write_string(p, out, text);
+		return true;
+	}
+	struct number number;
+	if (!parse_number_any(p, &number))
+		return false;
+	write_number(out, format, &number);
+	return true;
+}
+
+bool file_write(struct parser *p, span where)
+{
+	(void)where;
+	struct symbol *handle = read_handle(p, false);
+	if (!handle)
+		return false;
+	FILE *out = handle->slot->file->out;
+	const struct format *format = NULL;
+	for (;;) {
+		struct token_value v;
+		span at;
+		const int token = expand_next(p, &v, &at);
+		if (p->failed)
+			return false;
+		if (token == ')')
+			return true;
+		if (token == ',') {
+			format = NULL;
+			continue;
+		}
+		if (find_format(token)) {
+			format = find_format(token);
+			continue;
+		}
+		expand_unread(p, token, &v, at);
+		if (handle->slot->kind != VALUE_FILE || handle->slot->file->out != out) {
+			parser_error(p, at, "the file was closed while it was being written");
+			return false;
+		}
+		if (!write_item(p, out, token, format))
+			return false;
+	}
+}
