@@ -36,9 +36,9 @@ static ray random_ray(uint64_t *state, double reach)
 
 struct sample {
 	const char *word;
-	double values[18];
-	bool is_closed; /* crossings alternate */
-	bool is_star;	/* behind every surface point is the inside */
+	double values[18]; /* parameters in order */
+	bool is_closed;	   /* crossings alternate */
+	bool is_star;	   /* behind every surface point is the inside */
 };
 
 static const struct sample samples[] = {
@@ -54,6 +54,11 @@ static const struct sample samples[] = {
 	{ "plane", { 0.2, 1, -0.3, 0.1 }, true, true },
 	{ "quadric", { 2, 1, 3, 0.3, -0.2, 0.1, 0.2, -0.1, 0.3, -0.9 }, true, true },
 	{ "quadric", { 2, -1, 1, 0.3, -0.2, 0.1, 0.2, -0.1, 0.3, -0.4 }, true, true },
+	{ "superellipsoid", { 0.25, 0.5 }, true, true },
+	{ "superellipsoid", { 1, 1 }, true, true },
+	{ "superellipsoid", { 0.05, 1.5 }, true, true },
+	{ "superellipsoid", { 3, 2.5 }, true, true },
+	{ "superellipsoid", { 0.5, 3 }, true, true },
 	{ "disc", { 0.1, 0.1, 0, 0.3, 1, 0.2, 0.9, 0.2 }, false, true },
 	{ "triangle", { -0.8, -0.5, 0, 0.9, -0.4, 0.2, 0.1, 0.8, -0.3 }, false, false },
 	{ "smooth_triangle",
@@ -530,6 +535,38 @@ static void box_edges_choose_a_face(void **unused)
 	arena_destroy(arena);
 }
 
+static void polygon_has_a_hole(void **unused)
+{
+	(void)unused;
+	static const double points[][3] = { { 0, 0, 1 }, { 4, 0, 1 }, { 4, 4, 5 }, { 0, 4, 5 },
+		{ 0, 0, 1 }, { 1, 1, 2 }, { 1, 3, 4 }, { 3, 3, 4 }, { 3, 1, 2 }, { 1, 1, 2 } };
+	struct arena *arena = arena_create(0);
+	const struct shape_class *shape = shape_find("polygon");
+	void *self = arena_alloc(arena, shape->size);
+	*(struct param_array *)(void *)((char *)self + shape->params[1].offset) =
+		(struct param_array){ points[0], 30 };
+	struct shape_build build = { .arena = arena, .error = unexpected, .warning = unexpected };
+	shape->build(self, &build);
+	assert_false(build.dropped);
+	struct object polygon = { .shape = shape, .self = self };
+	object_set_bounds(&polygon);
+	for (double x = -0.5; x < 5; x++) {
+		for (double y = -0.5; y < 5; y++) {
+			const ray r = { { x, y, -3 }, { 0, 0, 1 } };
+			struct hit hit = { 0 };
+			const bool in = x > 0 && x < 4 && y > 0 && y < 4 &&
+					!(x > 1 && x < 3 && y > 1 && y < 3);
+			assert_int_equal(object_nearest(&polygon, &r, 0, 1e4, &hit), in);
+			assert_true(!in || fabs(hit.t - 4 - y) < 1e-14);
+		}
+	}
+	const ray through = { { 0.5, 0.5, -3 }, { 0, 0, 1 } };
+	struct hit hit;
+	assert_true(object_nearest(&polygon, &through, 0, 1e4, &hit));
+	assert_true(object_normal(&hit, vec(0, 0, 0)).z > 0);
+	arena_destroy(arena);
+}
+
 static void letter_has_a_hole(void **unused)
 {
 	(void)unused;
@@ -592,6 +629,7 @@ int main(void)
 		cmocka_unit_test(triangles_leave_no_cracks),
 		cmocka_unit_test(quartic_can_be_a_torus),
 		cmocka_unit_test(box_edges_choose_a_face),
+		cmocka_unit_test(polygon_has_a_hole),
 		cmocka_unit_test(letter_has_a_hole),
 		cmocka_unit_test(lists_outgrow_the_stack),
 	};
