@@ -62,7 +62,8 @@ uint32_t names_intern(struct names *n, const char *text, size_t length)
 
 static void reserve(struct names *n, const char *word, enum keyword keyword)
 {
-	n->list[names_intern(n, word, strlen(word))].keyword = keyword;
+	const uint32_t id = names_intern(n, word, strlen(word));
+	n->list[id].keyword = keyword;
 }
 
 void names_init(struct names *n, struct arena *arena)
