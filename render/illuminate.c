@@ -51,8 +51,8 @@ static void incidence_find(struct incidence *in, const struct light *light, vec3
 	in->distance = light_direction(light, light->location, p, &in->direction);
 	in->colour = light->colour;
 	if (!grid)
-		in->colour = rgb_scale(in->colour,
-			light_attenuation(light, light->location, p, in->direction, in->distance));
+		in->colour = rgb_scale(
+			in->colour, light_attenuation(light, p, in->direction, in->distance));
 	in->known = true;
 }
 
@@ -100,13 +100,13 @@ static double specular_response(const struct finish *f, vec3 v, vec3 normal, vec
 	return c > 0 ? f->specular * power_of(c, f->specular_power) : 0;
 }
 
-/* False: the layer shows nothing of light from there. */
+/* False: the layer shows nothing of light from there. With `both_sides` it does not matter which
+ * side the light is on. */
 static bool respond(const struct light *light, const struct point *at, const struct coat *coat,
-	vec3 direction, struct response *out)
+	vec3 direction, bool both_sides, struct response *out)
 {
 	const struct finish *f = coat->finish;
 	const double cosine = vec_dot(coat->normal, direction);
-	const bool both_sides = at->object->double_illuminate || light->area_illumination;
 	const bool behind = !both_sides && cosine < NEARLY_ZERO;
 	if (behind && f->diffuse_back == 0)
 		return false;
@@ -162,10 +162,10 @@ static rgb light_grid(struct worker *w, const struct point *at, const struct coa
 			vec3 direction;
 			struct response response;
 			const double distance = light_direction(light, centre, p, &direction);
-			if (!respond(light, at, coat, direction, &response))
+			if (!respond(light, at, coat, direction, at->object->double_illuminate,
+				    &response))
 				continue;
-			const double left =
-				light_attenuation(light, centre, p, direction, distance);
+			const double left = light_attenuation(light, p, direction, distance);
 			sum = rgb_add(sum,
 				answer(w, at, coat, direction, &response, rgb_scale(share, left)));
 		}
@@ -178,12 +178,13 @@ static rgb light_one(struct worker *w, const struct point *at, const struct coat
 {
 	const bool grid = light->area_illumination && light->area_count_u > 0 &&
 			  w->scene->settings.quality >= 5;
+	const bool both_sides = at->object->double_illuminate || light->area_illumination;
 	struct response response;
 	if (!in->known)
 		incidence_find(in, light, at->surface.point, grid);
 	if (rgb_is_dark(in->colour))
 		return rgb_grey(0);
-	if (!grid && !respond(light, at, coat, in->direction, &response))
+	if (!grid && !respond(light, at, coat, in->direction, both_sides, &response))
 		return rgb_grey(0);
 	if (!in->shadowed)
 		incidence_shadow(w, in, light, at);

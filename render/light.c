@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Where the light comes from and what its cone and distance leave of it. All
- * functions take the place the light is thought to stand at, so the samples of
- * an area light are the same computation with another centre.
+ * Where the light comes from and what its cone and distance leave of it. The
+ * direction is taken to the place the light is thought to stand at, so the
+ * samples of an area light are the same computation with another centre.
  */
 #include "render/shading.h"
 
@@ -49,9 +49,10 @@ static double spot_attenuation(const struct light *light, vec3 direction, double
 	return lobe;
 }
 
-static double cylinder_attenuation(const struct light *light, vec3 centre, vec3 p)
+/* About the axis through the light itself, for all samples of an area light. */
+static double cylinder_attenuation(const struct light *light, vec3 p)
 {
-	const vec3 from_light = vec_sub(p, centre);
+	const vec3 from_light = vec_sub(p, light->location);
 	const double along = vec_dot(from_light, light->axis);
 	if (along <= 0)
 		return 0;
@@ -65,14 +66,13 @@ static double cylinder_attenuation(const struct light *light, vec3 centre, vec3 
 	return lobe;
 }
 
-double light_attenuation(
-	const struct light *light, vec3 centre, vec3 p, vec3 direction, double distance)
+double light_attenuation(const struct light *light, vec3 p, vec3 direction, double distance)
 {
 	double a = 1;
 	if (light->type == LIGHT_SPOT)
 		a = spot_attenuation(light, direction, distance);
 	else if (light->type == LIGHT_CYLINDER)
-		a = cylinder_attenuation(light, centre, p);
+		a = cylinder_attenuation(light, p);
 	if (a > 0 && light->fade_power > 0 && fabs(light->fade_distance) > NEARLY_ZERO) {
 		const double far = distance / light->fade_distance;
 		a *= 2 / (1 + (light->fade_power == 2 ? far * far : pow(far, light->fade_power)));

@@ -180,8 +180,7 @@ rgb metallic_factor(float metallic, rgb pigment, double cosine);
  * the light counts it (negative behind a parallel light). */
 double light_direction(const struct light *, vec3 centre, vec3 p, vec3 *direction);
 /* What cone and distance leave of the light. */
-double light_attenuation(
-	const struct light *, vec3 centre, vec3 p, vec3 direction, double distance);
+double light_attenuation(const struct light *, vec3 p, vec3 direction, double distance);
 
 /* ---- shadow.c, area_light.c ---- */
 
