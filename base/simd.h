@@ -28,23 +28,6 @@ typedef __m256 float8;
 /* Bit i: a[i] <= b[i]. */
 #define float8_le(a, b) ((unsigned)_mm256_movemask_ps(_mm256_cmp_ps((a), (b), _CMP_LE_OQ)))
 
-/* Writes the lanes of `in` whose bit is set to the front of `out`, which has room for eight. */
-static inline void lanes_pack(uint32_t *out, const uint32_t *in, unsigned mask)
-{
-	const __m256i all = _mm256_load_si256((const __m256i *)(const void *)in);
-#if defined(__AVX512VL__)
-	const __m256i packed = _mm256_maskz_compress_epi32((__mmask8)mask, all);
-#else
-	/* The numbers of the set bits, one in every byte: 0x76543210 without the nibbles whose bit
-	 * is clear, then spread over eight lanes. */
-	const uint64_t bytes = _pdep_u64(mask, 0x0101010101010101) * 0xff;
-	const uint64_t order = _pext_u64(0x0706050403020100, bytes);
-	const __m256i lanes = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128((long long)order));
-	const __m256i packed = _mm256_permutevar8x32_epi32(all, lanes);
-#endif
-	_mm256_storeu_si256((__m256i *)(void *)out, packed);
-}
-
 #elif !defined(SIMD_PLAIN) && defined(__SSE2__)
 
 #include <emmintrin.h>
@@ -146,15 +129,6 @@ static inline unsigned float8_le(float8 x, float8 y)
 }
 
 #undef FLOAT8_EACH
-#endif
-
-#if defined(SIMD_PLAIN) || !defined(__AVX2__)
-/* Writes the lanes of `in` whose bit is set to the front of `out`, which has room for eight. */
-static inline void lanes_pack(uint32_t *out, const uint32_t *in, unsigned mask)
-{
-	for (; mask; mask &= mask - 1)
-		*out++ = in[__builtin_ctz(mask)];
-}
 #endif
 
 #endif

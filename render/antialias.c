@@ -47,7 +47,7 @@ static struct sample sample_of(const struct sampler *s, colour c)
 
 static struct sample draw(struct sampler *s, double x, double y)
 {
-	return sample_of(s, trace_sample(s->worker, x, y));
+	return sample_of(s, s->source(s->user, x, y));
 }
 
 /* The sample that belongs to (x, y), drawn at a displaced position. */
@@ -56,9 +56,9 @@ static colour trace_jittered(struct sampler *s, double x, double y)
 	if (s->jitter > 0) {
 		double by[2];
 		hash_jitter(x, y, by);
-		return trace_sample(s->worker, x + by[0] * s->jitter, y + by[1] * s->jitter);
+		return s->source(s->user, x + by[0] * s->jitter, y + by[1] * s->jitter);
 	}
-	return trace_sample(s->worker, x, y);
+	return s->source(s->user, x, y);
 }
 
 /* NaN counts as equal. */
@@ -87,7 +87,7 @@ static void block_plain(struct sampler *s, struct film *film, struct block b)
 {
 	for (unsigned y = b.top; y < b.bottom; y++) {
 		for (unsigned x = b.left; x < b.right; x++)
-			film->pixels[(size_t)y * film->width + x] = trace_sample(s->worker, x, y);
+			film->pixels[(size_t)y * film->width + x] = s->source(s->user, x, y);
 	}
 }
 
@@ -252,14 +252,14 @@ static void set_metric(struct sampler *s, const struct working_space *working)
 	s->exponent = (float)exponent;
 }
 
-void sampler_init(struct sampler *s, struct worker *worker, const struct antialias *settings,
-	const struct scene *scene, unsigned block_size)
+void sampler_init(struct sampler *s, const struct antialias *settings,
+	const struct working_space *working, unsigned block_size, sample_source *source, void *user)
 {
-	*s = (struct sampler){ .worker = worker, .settings = *settings };
+	*s = (struct sampler){ .source = source, .user = user, .settings = *settings };
 	if (settings->method == 0)
 		return;
 	const double depth = settings->depth;
-	set_metric(s, &scene->settings.working);
+	set_metric(s, working);
 	s->jitter =
 		settings->jitter / (settings->method == 1 ? depth : ldexp(1, settings->depth) + 1);
 	s->samples = memory_alloc(((size_t)block_size + 1) * (block_size + 1), sizeof *s->samples);

@@ -21,9 +21,13 @@ struct sample {
 	bool fine; /* method 1: has been supersampled */
 };
 
+/* The colour at (x, y) in pixel units, as trace_sample gives it. */
+typedef colour sample_source(void *user, double x, double y);
+
 /* One thread's sampling of blocks. */
 struct sampler {
-	struct worker *worker;
+	sample_source *source;
+	void *user;
 	struct antialias settings;
 	bool encodes, decodes_srgb; /* how comparisons see colours */
 	float exponent;
@@ -35,8 +39,8 @@ struct sampler {
 };
 
 /* A sampler for blocks of at most block_size pixels a side. */
-void sampler_init(struct sampler *, struct worker *, const struct antialias *, const struct scene *,
-	unsigned block_size);
+void sampler_init(struct sampler *, const struct antialias *, const struct working_space *,
+	unsigned block_size, sample_source *, void *user);
 void sampler_finish(struct sampler *);
 /* Fills the pixels of the block, reading no others: blocks do not depend on each other. */
 void sampler_block(struct sampler *, struct film *, struct block);

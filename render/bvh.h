@@ -30,8 +30,8 @@ struct bvh_node {
 /* A slot of a group without an item. */
 #define BVH_NOTHING UINT32_MAX
 
-/* No path from the root is longer than this many nodes. */
-enum { BVH_DEPTH_MAX = 96, BVH_STACK = BVH_DEPTH_MAX * (BVH_WIDTH - 1) + 1 };
+/* No path from the root is longer than this many nodes; a walk writes eight entries at a time. */
+enum { BVH_DEPTH_MAX = 96, BVH_STACK = BVH_DEPTH_MAX * (BVH_WIDTH - 1) + BVH_WIDTH };
 
 struct bvh {
 	struct bvh_node *nodes; /* node 0 is the root */

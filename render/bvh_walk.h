@@ -18,6 +18,8 @@
 #include "base/simd.h"
 #include "render/bvh.h"
 
+#include <string.h>
+
 /* Rounding of a subtraction, a multiplication and the reciprocal, on both sides, is below 8 ulp. */
 #define SLAB_SLACK 1e-6
 /* Smaller components of a direction move a ray by less than 1e-19 within any scene. */
@@ -65,11 +67,6 @@ static inline void bvh_ray_set(struct bvh_ray *b, const ray *r, double tmin, dou
 	b->tmax = bvh_limit(tmax);
 }
 
-struct bvh_visit {
-	uint32_t child;
-	float t;
-};
-
 struct bvh_lanes {
 	float8 near_origin[3], far_origin[3];
 	float8 near_inverse[3], far_inverse[3];
@@ -110,78 +107,75 @@ __attribute__((always_inline)) static inline unsigned bvh_test(
 	return float8_le(in, out);
 }
 
-/* Puts the children of `mask` on the stack, the nearest on top. */
-__attribute__((always_inline)) static inline struct bvh_visit *bvh_push_sorted(
-	struct bvh_visit *top, const struct bvh_node *node, unsigned mask, const float *entry)
+/* What is still to be visited: where the ray enters it, as the bits of a float >= 0, and the child.
+ * Greater numbers are farther. */
+static inline uint64_t bvh_visit(float entry, uint32_t child)
 {
-	struct bvh_visit *const base = top;
-	do {
+	uint32_t bits;
+	memcpy(&bits, &entry, sizeof bits);
+	return (uint64_t)bits << 32 | child;
+}
+
+/* Puts the children of `mask` on the stack, the nearest on top. */
+__attribute__((always_inline)) static inline uint64_t *bvh_push(
+	uint64_t *top, const struct bvh_node *node, unsigned mask, const float *entry)
+{
+	uint64_t *const base = top;
+	const int first = __builtin_ctz(mask);
+	mask &= mask - 1;
+	const int second = __builtin_ctz(mask);
+	mask &= mask - 1;
+	const uint64_t a = bvh_visit(entry[first], node->child[first]);
+	const uint64_t c = bvh_visit(entry[second], node->child[second]);
+	top[0] = a > c ? a : c;
+	top[1] = a > c ? c : a;
+	top += 2;
+	while (mask) {
 		const int lane = __builtin_ctz(mask);
-		mask &= mask - 1;
-		const float t = entry[lane];
-		struct bvh_visit *at = top++;
-		for (; at > base && at[-1].t < t; at--)
+		const uint64_t visit = bvh_visit(entry[lane], node->child[lane]);
+		uint64_t *at = top++;
+		for (; at > base && at[-1] < visit; at--)
 			at[0] = at[-1];
-		*at = (struct bvh_visit){ node->child[lane], t };
-	} while (mask);
+		*at = visit;
+		mask &= mask - 1;
+	}
 	return top;
 }
 
-/* Visits every leaf whose box meets the ray between tmin and tmax, nearer boxes first. */
-__attribute__((always_inline)) static inline void bvh_walk_nearest(
+/* Gives `leaf` every leaf whose box the ray meets between tmin and tmax, nearer boxes first. True
+ * when it has ended the walk. */
+__attribute__((always_inline)) static inline bool bvh_walk(
 	const struct bvh_node *nodes, struct bvh_ray *b, bvh_leaf *leaf, void *user)
 {
 	const struct bvh_lanes lanes = bvh_lanes_of(b);
-	struct bvh_visit stack[BVH_STACK], *top = stack;
+	uint64_t stack[BVH_STACK], *top = stack;
 	_Alignas(32) float entry[BVH_WIDTH];
 	uint32_t child = 0;
 	for (;;) {
 		if (!(child & BVH_LEAF)) {
 			const struct bvh_node *node = &nodes[child];
 			float8 in;
-			unsigned mask = bvh_test(node, &lanes, b->tmax, &in);
+			const unsigned mask = bvh_test(node, &lanes, b->tmax, &in);
+			if (mask && (mask & (mask - 1)) == 0) {
+				child = node->child[__builtin_ctz(mask)];
+				continue;
+			}
 			if (mask) {
-				if ((mask & (mask - 1)) == 0) {
-					child = node->child[__builtin_ctz(mask)];
-					continue;
-				}
 				float8_store(entry, in);
-				top = bvh_push_sorted(top, node, mask, entry);
-				child = (--top)->child;
+				top = bvh_push(top, node, mask, entry);
+				child = (uint32_t) * --top;
 				continue;
 			}
 		} else if (leaf(user, child, b)) {
-			return;
-		}
-		do {
-			if (top == stack)
-				return;
-			top--;
-		} while (top->t > b->tmax);
-		child = top->child;
-	}
-}
-
-/* Visits the leaves in any order, until one ends the walk. */
-__attribute__((always_inline)) static inline bool bvh_walk_any(
-	const struct bvh_node *nodes, struct bvh_ray *b, bvh_leaf *leaf, void *user)
-{
-	const struct bvh_lanes lanes = bvh_lanes_of(b);
-	uint32_t stack[BVH_STACK], *top = stack;
-	uint32_t child = 0;
-	for (;;) {
-		if (!(child & BVH_LEAF)) {
-			const struct bvh_node *node = &nodes[child];
-			float8 in;
-			unsigned mask = bvh_test(node, &lanes, b->tmax, &in);
-			for (; mask; mask &= mask - 1)
-				*top++ = node->child[__builtin_ctz(mask)];
-		} else if (leaf(user, child, b)) {
 			return true;
 		}
-		if (top == stack)
-			return false;
-		child = *--top;
+		const uint64_t end = bvh_visit(b->tmax, UINT32_MAX);
+		do {
+			if (top == stack)
+				return false;
+			top--;
+		} while (*top > end);
+		child = (uint32_t)*top;
 	}
 }
 

@@ -36,11 +36,17 @@ struct session {
 	struct film *film;
 	const struct exposure *exposure;
 	unsigned block_size, columns, rows;
-	struct sampler *samplers; /* one per thread */
-	pthread_mutex_t lock;	  /* of `done` and the progress function */
+	struct worker **workers; /* one of each per thread */
+	struct sampler *samplers;
+	pthread_mutex_t lock; /* of `done` and the progress function */
 	unsigned done;
 	atomic_bool stop;
 };
+
+static colour sample_worker(void *worker, double x, double y)
+{
+	return trace_sample(worker, x, y);
+}
 
 static struct block block_at(const struct session *s, size_t index)
 {
@@ -109,10 +115,13 @@ bool film_expose(struct film *film, const struct scene *scene, const struct expo
 	const size_t blocks = (size_t)s.columns * s.rows;
 	const unsigned wanted = e->threads ? e->threads : 1;
 	const unsigned threads = wanted < blocks ? wanted : (unsigned)blocks;
+	s.workers = memory_alloc(threads, sizeof *s.workers);
 	s.samplers = memory_alloc(threads, sizeof *s.samplers);
-	for (unsigned i = 0; i < threads; i++)
-		sampler_init(&s.samplers[i], worker_create(scene, film->width, film->height),
-			&e->antialias, scene, s.block_size);
+	for (unsigned i = 0; i < threads; i++) {
+		s.workers[i] = worker_create(scene, film->width, film->height);
+		sampler_init(&s.samplers[i], &e->antialias, &scene->settings.working, s.block_size,
+			sample_worker, s.workers[i]);
+	}
 	pthread_mutex_init(&s.lock, NULL);
 	atomic_init(&s.stop, false);
 
@@ -121,10 +130,11 @@ bool film_expose(struct film *film, const struct scene *scene, const struct expo
 	pthread_mutex_destroy(&s.lock);
 	for (unsigned i = 0; i < threads; i++) {
 		if (stats)
-			add_stats(stats, worker_stats(s.samplers[i].worker));
-		worker_destroy(s.samplers[i].worker);
+			add_stats(stats, worker_stats(s.workers[i]));
+		worker_destroy(s.workers[i]);
 		sampler_finish(&s.samplers[i]);
 	}
+	free(s.workers);
 	free(s.samplers);
 	return !atomic_load(&s.stop);
 }
