@@ -364,8 +364,6 @@ static void collect_light(struct lowering *l, struct draft *d, const struct heri
 {
 	light_finish(d->light);
 	d->light->group_only = in_group;
-	if (d->light->area_count_u > 0 && l->options->quality >= 5)
-		lower_unsupported(l, d->node, "area_light");
 	if (d->projected_through) {
 		const struct heritage plain = { .fallback = h->fallback, .state = h->state };
 		d->light->projected_through = collect_one(l, d->projected_through, &plain);
