@@ -295,21 +295,32 @@ static double kerning(const struct setting *s, FT_UInt left, FT_UInt right)
 	return (double)k.x * s->unit;
 }
 
+/* Where the language takes the ink of the letter to begin, whose left side bearing is given. Of
+ * letters composed of others (accents) it is at most 0, so that they move to the right. */
+static double ink_start(FT_Face face, FT_UInt index, double bearing)
+{
+	if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_RECURSE) != 0 ||
+		face->glyph->format != FT_GLYPH_FORMAT_COMPOSITE)
+		return bearing;
+	return fmin(bearing, trunc(bearing));
+}
+
 /* The first letter begins with its ink at x = 0, the others where the pen is. */
 static void set_letter(struct setting *s, unsigned code, bool first, FT_UInt before, FT_UInt index)
 {
 	if (FT_Load_Glyph(s->face, index, FT_LOAD_NO_SCALE) != 0)
 		return;
+	const FT_GlyphSlot slot = s->face->glyph;
+	const bool has_ink = slot->outline.n_points > 0;
 	FT_BBox ink;
-	FT_Outline_Get_CBox(&s->face->glyph->outline, &ink);
-	const bool has_ink = s->face->glyph->outline.n_points > 0;
+	FT_Outline_Get_CBox(&slot->outline, &ink);
 	/* FreeType has moved the outline so that the ink begins at the left side bearing */
-	const double bearing =
-		(double)(has_ink ? ink.xMin : s->face->glyph->metrics.horiBearingX) * s->unit;
-	const double advance = (double)s->face->glyph->metrics.horiAdvance * s->unit;
+	const double bearing = (double)(has_ink ? ink.xMin : slot->metrics.horiBearingX) * s->unit;
+	const double advance = (double)slot->metrics.horiAdvance * s->unit;
+	const double start = ink_start(s->face, index, bearing);
 	const double kern = first ? 0 : kerning(s, before, index);
-	if (code != ' ' && has_ink)
-		set_outline(s, first ? -bearing : s->x + kern, s->y);
+	if (code != ' ' && has_ink && FT_Load_Glyph(s->face, index, FT_LOAD_NO_SCALE) == 0)
+		set_outline(s, first ? -start : s->x + bearing - start + kern, s->y);
 	s->x += advance + (first ? -bearing : kern) + s->offset.x;
 	s->y += s->offset.y;
 }
