@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Making nodes and lists of nodes. Arguments wait on a stack until the
+ * statement they belong to is complete.
+ */
+#include "parser/build.h"
+
+#include <string.h>
+
+const struct node *node_child(const struct node *node, enum keyword keyword)
+{
+	const struct node *child = node->children;
+	while (child && child->keyword != keyword)
+		child = child->next;
+	return child;
+}
+
+/* -- Arguments ---------------------------------------------------------------------------- */
+
+static struct arg *push(struct parser *p, enum arg_kind kind, span where)
+{
+	struct grammar *g = p->grammar;
+	if (g->arg_count == g->arg_capacity) {
+		const size_t capacity = g->arg_count ? 2 * g->arg_count : 64;
+		struct arg *grown = ARENA_ARRAY(p->arena, capacity, struct arg);
+		if (g->arg_count)
+			memcpy(grown, g->args, g->arg_count * sizeof *grown);
+		g->args = grown;
+		g->arg_capacity = capacity;
+	}
+	struct arg *arg = &g->args[g->arg_count++];
+	arg->kind = kind;
+	arg->span = where;
+	return arg;
+}
+
+size_t args_height(struct parser *p)
+{
+	return p->grammar->arg_count;
+}
+
+size_t args_push_number(struct parser *p, struct number number, span where)
+{
+	push(p, ARG_NUMBER, where)->number = number;
+	return p->grammar->arg_count - 1;
+}
+
+size_t args_push_string(struct parser *p, const char *string, span where)
+{
+	push(p, ARG_STRING, where)->string = string;
+	return p->grammar->arg_count - 1;
+}
+
+size_t args_push_function(struct parser *p, const struct function *function, span where)
+{
+	push(p, ARG_FUNCTION, where)->function = function;
+	return p->grammar->arg_count - 1;
+}
+
+size_t args_push_array(
+	struct parser *p, const double *values, size_t count, unsigned stride, span where)
+{
+	struct arg *arg = push(p, ARG_ARRAY, where);
+	arg->array.values = values;
+	arg->array.count = count;
+	arg->array.stride = stride;
+	return p->grammar->arg_count - 1;
+}
+
+/* -- Nodes -------------------------------------------------------------------------------- */
+
+struct node *node_new(struct parser *p, enum keyword keyword, span whole, span word)
+{
+	struct node *node = ARENA_NEW(p->arena, struct node);
+	node->keyword = keyword;
+	node->span = whole;
+	node->word = word;
+	node->state = p->state;
+	return node;
+}
+
+struct node *node_args(
+	struct parser *p, enum keyword keyword, span whole, span word, size_t start)
+{
+	struct grammar *g = p->grammar;
+	struct node *node = node_new(p, keyword, whole, word);
+	const size_t count = g->arg_count - start;
+	if (count) {
+		node->args = arena_copy(p->arena, g->args + start, count * sizeof *g->args);
+		node->arg_count = (uint32_t)count;
+	}
+	g->arg_count = start;
+	return node;
+}
+
+struct node *node_number(struct parser *p, enum keyword keyword, span whole, span word,
+	struct number number, span at)
+{
+	return node_args(p, keyword, whole, word, args_push_number(p, number, at));
+}
+
+struct node *node_string(
+	struct parser *p, enum keyword keyword, span whole, span word, const char *text, span at)
+{
+	return node_args(p, keyword, whole, word, args_push_string(p, text, at));
+}
+
+struct node *node_function(struct parser *p, enum keyword keyword, span whole, span word,
+	const struct function *function, span at)
+{
+	return node_args(p, keyword, whole, word, args_push_function(p, function, at));
+}
+
+struct node *node_block(
+	struct parser *p, enum keyword keyword, span whole, span word, struct node_list list)
+{
+	struct node *node = node_new(p, keyword, whole, word);
+	node->children = list.first;
+	return node;
+}
+
+struct node *node_reference(struct parser *p, struct reference reference, span where)
+{
+	struct node *node = node_new(p, K_REFERENCE, where, where);
+	node->ref = reference.node;
+	node->name = reference.name;
+	return node;
+}
+
+struct node *node_wrap(struct parser *p, enum keyword keyword, span whole, span word,
+	struct reference reference, span at)
+{
+	return node_block(p, keyword, whole, word, list_one(node_reference(p, reference, at)));
+}
+
+struct node *layers_node(struct parser *p, struct node_list list, span whole)
+{
+	return list.first == list.last ? list.first
+				       : node_block(p, K_LAYERS, whole, list.first->word, list);
+}
+
+struct node *copy_node(struct parser *p, struct reference reference, span at, span whole, span word,
+	struct node_list modifiers)
+{
+	struct node_list items = list_one(node_reference(p, reference, at));
+	return node_block(p, K_OBJECT, whole, word, list_join(items, modifiers));
+}
+
+/* -- Checked arguments -------------------------------------------------------------------- */
+
+static bool is_optional(const char *letters)
+{
+	return letters[0] && letters[1] == '?';
+}
+
+static unsigned least_arguments(const char *letters)
+{
+	unsigned n = 0;
+	for (; *letters; letters++)
+		n += *letters != '?' && !is_optional(letters);
+	return n;
+}
+
+static void check_argument(struct parser *p, struct arg *arg, char letter)
+{
+	if (arg->kind != ARG_NUMBER)
+		return; /* the grammar has seen to it */
+	switch (letter) {
+	case 'f':
+		arg->number = number_float(number_to_float(p, arg->number, arg->span));
+		break;
+	case '2':
+		arg->number = number_check(p, arg->number, 2, arg->span);
+		break;
+	case 'v':
+		arg->number = number_check(p, arg->number, 3, arg->span);
+		break;
+	case '4':
+		arg->number = number_check(p, arg->number, 4, arg->span);
+		break;
+	default:
+		break;
+	}
+}
+
+struct node *node_fit(struct parser *p, enum keyword keyword, span whole, span word, size_t start,
+	const char *letters)
+{
+	struct grammar *g = p->grammar;
+	const size_t count = g->arg_count - start;
+	const unsigned least = least_arguments(letters);
+	size_t i = 0;
+	for (; *letters && i < count; letters += is_optional(letters) ? 2 : 1)
+		check_argument(p, &g->args[start + i++], *letters);
+	if (i < count)
+		parser_error(p, g->args[start + i].span, "%s takes no further value",
+			keyword_name(keyword));
+	else if (count < least)
+		parser_error(p, word, "%s needs %u value%s, found %zu", keyword_name(keyword), least,
+			least == 1 ? "" : "s", count);
+	return node_args(p, keyword, whole, word, start);
+}
+
+/* -- Lists -------------------------------------------------------------------------------- */
+
+struct node_list list_none(void)
+{
+	return (struct node_list){ NULL, NULL };
+}
+
+struct node_list list_one(struct node *node)
+{
+	return (struct node_list){ node, node };
+}
+
+struct node_list list_add(struct node_list list, struct node *node)
+{
+	if (!list.first)
+		return list_one(node);
+	list.last->next = node;
+	list.last = node;
+	return list;
+}
+
+struct node_list list_join(struct node_list a, struct node_list b)
+{
+	if (!a.first)
+		return b;
+	if (!b.first)
+		return a;
+	a.last->next = b.first;
+	return (struct node_list){ a.first, b.last };
+}

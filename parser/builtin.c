@@ -1,0 +1,460 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The float and vector functions of ordinary expressions, evaluated at once.
+ * What needs geometry or patterns is asked of the renderer through the hooks.
+ */
+#include "parser/build.h"
+
+#include "base/transform.h"
+#include "base/vec3.h"
+#include "grammar.tab.h"
+
+#include <math.h>
+#include <string.h>
+#include <time.h>
+
+#define PI	  3.14159265358979323846
+#define TOLERANCE 1e-10 /* atan2 of two values this small is an error, as the language defines */
+
+/* -- Constants ---------------------------------------------------------------------------- */
+
+/* Days since 2000-01-01 00:00 UTC. */
+static double days_now(void)
+{
+	struct timespec now;
+	clock_gettime(CLOCK_REALTIME, &now);
+	return ((double)now.tv_sec + (double)(now.tv_nsec / 1000) * 1e-6) / 86400 - 10957;
+}
+
+struct number builtin_constant(struct parser *p, enum keyword word)
+{
+	switch (word) {
+	case K_X:
+		return number_vector(1, 0, 0);
+	case K_Y:
+		return number_vector(0, 1, 0);
+	case K_Z:
+		return number_vector(0, 0, 1);
+	case K_U:
+		return (struct number){ .terms = 2, .v = { 1 } };
+	case K_V:
+		return (struct number){ .terms = 2, .v = { 0, 1 } };
+	case K_T:
+		return (struct number){ .terms = 4, .v = { 0, 0, 0, 1 } };
+	case K_PI:
+		return number_float(PI);
+	case K_CLOCK:
+		return number_float(p->options->clock);
+	case K_CLOCK_ON:
+		return number_float(p->options->clock_on);
+	case K_VERSION:
+		return number_float(p->state->version / 100.0);
+	case K_NOW:
+		return number_float(days_now());
+	case K_TRUE:
+	case K_YES:
+	case K_ON:
+		return number_float(1);
+	default:
+		return number_float(0);
+	}
+}
+
+/* -- Random streams ----------------------------------------------------------------------- */
+
+static double seed(struct parser *p, double value)
+{
+	if ((p->seed_count & (p->seed_count - 1)) == 0)
+		p->seeds = memory_grow(p->seeds, p->seed_count ? 2 * p->seed_count : 1,
+			sizeof *p->seeds);
+	p->seeds[p->seed_count] = (uint32_t)number_truncate(value);
+	return (double)p->seed_count++;
+}
+
+static double next_random(struct parser *p, double stream, span where)
+{
+	const int i = number_truncate(stream);
+	if (i < 0 || (size_t)i >= p->seed_count) {
+		parser_error(p, where, "there is no random stream %d: rand needs a result of seed", i);
+		return 0;
+	}
+	p->seeds[i] = 1812433253u * p->seeds[i] + 12345u;
+	return p->seeds[i] / 4294967295.0;
+}
+
+/* -- One float ---------------------------------------------------------------------------- */
+
+static double clamp_unit(struct parser *p, enum keyword word, double a, span where)
+{
+	if (a >= -1 && a <= 1)
+		return a;
+	diag_warning(p->diag, where, "%s of a value outside -1 to 1", keyword_name(word));
+	return a > 1 ? 1 : a < -1 ? -1 : a;
+}
+
+static double positive(struct parser *p, enum keyword word, bool ok, double a, span where)
+{
+	if (!ok)
+		parser_error(p, where, "%s of %g is not defined", keyword_name(word), a);
+	return ok ? a : 1;
+}
+
+struct number builtin_float(struct parser *p, enum keyword word, struct number n, span where)
+{
+	const double a = number_to_float(p, n, where);
+	double r = 0;
+	/* clang-format off */
+	switch (word) {
+	case K_ABS:     r = fabs(a); break;
+	case K_ACOS:    r = acos(clamp_unit(p, word, a, where)); break;
+	case K_ASIN:    r = asin(clamp_unit(p, word, a, where)); break;
+	case K_ATAN:    r = atan(a); break;
+	case K_ACOSH:   r = acosh(a); break;
+	case K_ASINH:   r = asinh(a); break;
+	case K_ATANH:   r = atanh(a); break;
+	case K_CEIL:    r = ceil(a); break;
+	case K_FLOOR:   r = floor(a); break;
+	case K_COS:     r = cos(a); break;
+	case K_SIN:     r = sin(a); break;
+	case K_TAN:     r = tan(a); break;
+	case K_COSH:    r = cosh(a); break;
+	case K_SINH:    r = sinh(a); break;
+	case K_TANH:    r = tanh(a); break;
+	case K_EXP:     r = exp(a); break;
+	case K_LN:      r = log(positive(p, word, !(a <= 0), a, where)); break;
+	case K_LOG:     r = log10(positive(p, word, !(a <= 0), a, where)); break;
+	case K_SQRT:    r = sqrt(positive(p, word, !(a < 0), a, where)); break;
+	case K_INT:     r = number_truncate(a); break;
+	case K_DEGREES: r = a / (PI / 180); break;
+	case K_RADIANS: r = a * (PI / 180); break;
+	case K_SEED:    r = seed(p, a); break;
+	case K_RAND:    r = next_random(p, a, where); break;
+	default: break;
+	}
+	/* clang-format on */
+	return number_float(r);
+}
+
+/* -- Several arguments -------------------------------------------------------------------- */
+
+/* The arguments of the call being evaluated. */
+struct call {
+	struct parser *p;
+	enum keyword word;
+	const struct arg *args;
+	size_t count;
+	span where;
+};
+
+static double arg_float(const struct call *c, size_t i)
+{
+	return number_to_float(c->p, c->args[i].number, c->args[i].span);
+}
+
+static vec3 arg_vector(const struct call *c, size_t i)
+{
+	double v[5];
+	number_to_vector(c->p, c->args[i].number, 3, c->args[i].span, v);
+	return (vec3){ v[0], v[1], v[2] };
+}
+
+static struct number from_vector(vec3 v)
+{
+	return number_vector(v.x, v.y, v.z);
+}
+
+static double two_floats(const struct call *c)
+{
+	const double a = arg_float(c, 0), b = arg_float(c, 1);
+	switch (c->word) {
+	case K_ATAN2:
+		if (fabs(a) <= TOLERANCE && fabs(b) <= TOLERANCE)
+			parser_error(c->p, c->where, "atan2(0, 0) is not defined");
+		return atan2(a, b);
+	case K_POW:
+		if (a == 0 && b == 0)
+			parser_error(c->p, c->where, "pow(0, 0) is not defined");
+		return pow(a, b);
+	case K_DIV:
+		return number_truncate(a / b);
+	default:
+		return fmod(a, b);
+	}
+}
+
+static double fold(const struct call *c)
+{
+	double r = arg_float(c, 0);
+	for (size_t i = 1; i < c->count; i++) {
+		const double b = arg_float(c, i);
+		if (c->word == K_MAX)
+			r = r < b ? b : r;
+		else
+			r = b < r ? b : r;
+	}
+	return r;
+}
+
+static double fold_bits(const struct call *c)
+{
+	int r = number_truncate(arg_float(c, 0));
+	for (size_t i = 1; i < c->count; i++) {
+		const int b = number_truncate(arg_float(c, i));
+		r = c->word == K_BITWISE_AND ? r & b : c->word == K_BITWISE_OR ? r | b : r ^ b;
+	}
+	return r;
+}
+
+static double choose(const struct call *c)
+{
+	const double a = arg_float(c, 0), n = arg_float(c, 1);
+	const double z = arg_float(c, 2), last = arg_float(c, c->count - 1);
+	return a < 0 ? n : c->count == 4 && a == 0 ? z : last;
+}
+
+static struct number normalize(const struct call *c)
+{
+	const vec3 v = arg_vector(c, 0);
+	if (v.x == 0 && v.y == 0 && v.z == 0) {
+		if (c->p->state->version >= 350)
+			diag_warning(c->p->diag, c->where, "vnormalize of a zero vector");
+		return number_vector(0, 0, 0);
+	}
+	return from_vector(vec_scale(v, 1 / sqrt(vec_dot(v, v))));
+}
+
+static struct number turbulence(const struct call *c)
+{
+	const struct render_hooks *hooks = &c->p->options->hooks;
+	const vec3 at = arg_vector(c, 3);
+	const double point[3] = { at.x, at.y, at.z };
+	int octaves = number_truncate(arg_float(c, 2));
+	octaves = octaves < 1 ? 1 : octaves > 10 ? 10 : octaves;
+	const struct language_state *state = c->p->state;
+	const int generator = state->noise_generator ? state->noise_generator
+		: state->version >= 350		     ? 2
+						     : 1;
+	double r[3] = { 0 };
+	if (!hooks->turbulence || !hooks->turbulence(hooks->user, arg_float(c, 0),
+					  arg_float(c, 1), octaves, point, generator, r))
+		parser_error(c->p, c->where, "not supported yet: vturbulence");
+	return number_vector(r[0], r[1], r[2]);
+}
+
+/* The number of arguments: least and most. */
+static bool arity(const struct call *c, size_t *least, size_t *most)
+{
+	switch (c->word) {
+	case K_VLENGTH:
+	case K_VNORMALIZE:
+		*least = *most = 1;
+		break;
+	case K_SELECT:
+		*least = 3;
+		*most = 4;
+		break;
+	case K_VAXIS_ROTATE:
+		*least = *most = 3;
+		break;
+	case K_VTURBULENCE:
+		*least = *most = 4;
+		break;
+	case K_MAX:
+	case K_MIN:
+	case K_BITWISE_AND:
+	case K_BITWISE_OR:
+	case K_BITWISE_XOR:
+		*least = 1;
+		*most = SIZE_MAX;
+		break;
+	default:
+		*least = *most = 2;
+		break;
+	}
+	return c->count >= *least && c->count <= *most;
+}
+
+static vec3 rotate_about(vec3 v, vec3 axis, double degrees)
+{
+	const vec3 k = vec_scale(axis, 1 / sqrt(vec_dot(axis, axis)));
+	const double a = degrees * (PI / 180), c = cos(a), s = sin(a), d = 1 - c;
+	return (vec3){
+		v.x * (k.x * k.x + c * (1 - k.x * k.x)) + v.y * (k.x * k.y * d - k.z * s) +
+			v.z * (k.x * k.z * d + k.y * s),
+		v.x * (k.x * k.y * d + k.z * s) + v.y * (k.y * k.y + c * (1 - k.y * k.y)) +
+			v.z * (k.y * k.z * d - k.x * s),
+		v.x * (k.x * k.z * d - k.y * s) + v.y * (k.y * k.z * d + k.x * s) +
+			v.z * (k.z * k.z + c * (1 - k.z * k.z)),
+	};
+}
+
+/* About x, then y, then z. */
+static vec3 rotate_xyz(vec3 v, vec3 degrees)
+{
+	const double a = degrees.x * (PI / 180), b = degrees.y * (PI / 180),
+		     c = degrees.z * (PI / 180);
+	v = (vec3){ v.x, v.y * cos(a) - v.z * sin(a), v.y * sin(a) + v.z * cos(a) };
+	v = (vec3){ v.x * cos(b) + v.z * sin(b), v.y, -v.x * sin(b) + v.z * cos(b) };
+	return (vec3){ v.x * cos(c) - v.y * sin(c), v.x * sin(c) + v.y * cos(c), v.z };
+}
+
+static struct number evaluate(const struct call *c)
+{
+	switch (c->word) {
+	case K_MAX:
+	case K_MIN:
+		return number_float(fold(c));
+	case K_BITWISE_AND:
+	case K_BITWISE_OR:
+	case K_BITWISE_XOR:
+		return number_float(fold_bits(c));
+	case K_SELECT:
+		return number_float(choose(c));
+	case K_VLENGTH:
+		return number_float(sqrt(vec_dot(arg_vector(c, 0), arg_vector(c, 0))));
+	case K_VDOT:
+		return number_float(vec_dot(arg_vector(c, 0), arg_vector(c, 1)));
+	case K_VCROSS:
+		return from_vector(vec_cross(arg_vector(c, 0), arg_vector(c, 1)));
+	case K_VNORMALIZE:
+		return normalize(c);
+	case K_VROTATE:
+		return from_vector(rotate_xyz(arg_vector(c, 0), arg_vector(c, 1)));
+	case K_VAXIS_ROTATE:
+		return from_vector(
+			rotate_about(arg_vector(c, 0), arg_vector(c, 1), arg_float(c, 2)));
+	case K_VTURBULENCE:
+		return turbulence(c);
+	default:
+		return number_float(two_floats(c));
+	}
+}
+
+struct number builtin_list(struct parser *p, enum keyword word, size_t start, span where)
+{
+	struct grammar *g = p->grammar;
+	const struct call c = { p, word, g->args + start, g->arg_count - start, where };
+	size_t least, most;
+	struct number result = number_float(0);
+	if (arity(&c, &least, &most))
+		result = evaluate(&c);
+	else
+		parser_error(p, where, "%s needs %zu argument%s, found %zu", keyword_name(word),
+			c.count < least ? least : most, least == 1 ? "" : "s", c.count);
+	g->arg_count = start;
+	return result;
+}
+
+/* -- Geometry, through the hooks ---------------------------------------------------------- */
+
+struct number builtin_extent(
+	struct parser *p, enum keyword word, struct reference object, span where)
+{
+	const struct render_hooks *hooks = &p->options->hooks;
+	double lo[3] = { 0 }, hi[3] = { 0 };
+	if (object.node->keyword == K_PIGMENT) {
+		if (word == K_MIN_EXTENT)
+			parser_error(p, where, "min_extent needs an object");
+		else if (!hooks->image_size ||
+			!hooks->image_size(hooks->user, object.node, hi))
+			parser_error(p, where, "not supported yet: max_extent of this pigment");
+		return number_vector(hi[0], hi[1], hi[2]);
+	}
+	if (!hooks->extent || !hooks->extent(hooks->user, object.node, lo, hi))
+		parser_error(p, where, "not supported yet: %s of this object", keyword_name(word));
+	const double *r = word == K_MIN_EXTENT ? lo : hi;
+	return number_vector(r[0], r[1], r[2]);
+}
+
+struct number builtin_inside(
+	struct parser *p, struct reference object, struct number at, span where)
+{
+	const struct render_hooks *hooks = &p->options->hooks;
+	double point[5];
+	bool answer = false;
+	number_to_vector(p, at, 3, where, point);
+	if (!hooks->inside || !hooks->inside(hooks->user, object.node, point, &answer))
+		parser_error(p, where, "not supported yet: inside() of this object");
+	return number_float(answer);
+}
+
+struct number builtin_trace(struct parser *p, struct reference object, struct number origin,
+	struct number direction, struct symbol *normal_symbol, span where)
+{
+	const struct render_hooks *hooks = &p->options->hooks;
+	double from[5], to[5], point[3] = { 0 }, normal[3] = { 0 };
+	bool found = false;
+	number_to_vector(p, origin, 3, where, from);
+	number_to_vector(p, direction, 3, where, to);
+	if (!hooks->trace ||
+		!hooks->trace(hooks->user, object.node, from, to, point, normal, &found))
+		parser_error(p, where, "not supported yet: trace() of this object");
+	if (normal_symbol) {
+		const struct value value = { .kind = VALUE_NUMBER,
+			.number = found ? number_vector(normal[0], normal[1], normal[2])
+					: number_vector(0, 0, 0) };
+		symbol_assign(p, normal_symbol, &value);
+	}
+	return found ? number_vector(point[0], point[1], point[2]) : number_vector(0, 0, 0);
+}
+
+/* -- Arrays and files --------------------------------------------------------------------- */
+
+struct number builtin_dimensions(struct parser *p, const struct symbol *symbol, span where)
+{
+	const struct value *value = symbol_value(symbol);
+	if (value->kind == VALUE_ARRAY)
+		return number_float(value->array->dimensions);
+	parser_error(p, where, "dimensions needs an array");
+	return number_float(0);
+}
+
+struct number builtin_dimension_size(
+	struct parser *p, const struct symbol *symbol, double which, span where)
+{
+	const struct value *value = symbol_value(symbol);
+	const int k = number_truncate(which);
+	if (value->kind != VALUE_ARRAY)
+		parser_error(p, where, "dimension_size needs an array");
+	else if (k >= 1 && k <= (int)value->array->dimensions)
+		return number_float((double)value->array->size[k - 1]);
+	return number_float(0);
+}
+
+struct number builtin_file_exists(struct parser *p, const char *name)
+{
+	static const char *const extensions[] = { "", NULL };
+	bool courtesy = false;
+	return number_float(file_find(p->options, name, extensions, &courtesy, p->arena) != NULL);
+}
+
+/* -- User-defined functions --------------------------------------------------------------- */
+
+struct number builtin_call(
+	struct parser *p, const struct function *function, size_t start, span where)
+{
+	const struct render_hooks *hooks = &p->options->hooks;
+	struct grammar *g = p->grammar;
+	const size_t count = g->arg_count - start;
+	const char *name = function->name ? function->name : "the function";
+	double result[5] = { 0 };
+	unsigned terms = 1;
+	if (count != function->parameter_count) {
+		parser_error(p, where, "%s needs %u argument%s, found %zu", name,
+			function->parameter_count, function->parameter_count == 1 ? "" : "s", count);
+	} else {
+		double *arguments = ARENA_ARRAY(p->arena, count + 1, double);
+		for (size_t i = 0; i < count; i++)
+			arguments[i] = number_to_float(
+				p, g->args[start + i].number, g->args[start + i].span);
+		if (!p->failed &&
+			(!hooks->call ||
+				!hooks->call(hooks->user, function, arguments, result, &terms)))
+			parser_error(p, where,
+				"not supported yet: calling a function while the scene is read");
+	}
+	g->arg_count = start;
+	struct number out = { .terms = (uint8_t)terms };
+	memcpy(out.v, result, sizeof out.v);
+	return out;
+}

@@ -1,0 +1,173 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Meshes: faces and vertices go straight into arrays of numbers, without a
+ * node each.
+ */
+#include "parser/build.h"
+
+#include <string.h>
+
+/* -- Growing arrays ----------------------------------------------------------------------- */
+
+enum {
+	/* The count in the text is trusted for that many elements; more grow as they come. */
+	TRUSTED_COUNT = 4000000
+};
+
+static double *grow(struct parser *p, const double *old, size_t count, size_t capacity)
+{
+	double *values = ARENA_ARRAY(p->arena, capacity, double);
+	if (count)
+		memcpy(values, old, count * sizeof *values);
+	return values;
+}
+
+static void reserve(struct parser *p, struct doubles *d, size_t more)
+{
+	if (d->count + more <= d->capacity)
+		return;
+	size_t capacity = d->capacity ? 2 * d->capacity : 64;
+	while (capacity < d->count + more)
+		capacity *= 2;
+	d->values = grow(p, d->values, d->count, capacity);
+	if (d->extra)
+		d->extra = grow(p, d->extra, d->count, capacity);
+	d->capacity = capacity;
+}
+
+struct doubles *doubles_new(struct parser *p, double expected, unsigned stride)
+{
+	struct doubles *d = ARENA_NEW(p->arena, struct doubles);
+	d->stride = stride;
+	if (expected >= 1)
+		reserve(p, d,
+			stride * (expected < TRUSTED_COUNT ? (size_t)expected
+							   : (size_t)TRUSTED_COUNT));
+	return d;
+}
+
+void doubles_add(struct parser *p, struct doubles *d, struct number number, span where)
+{
+	double v[5];
+	reserve(p, d, d->stride);
+	if (number.terms == d->stride)
+		memcpy(v, number.v, sizeof v);
+	else
+		number_to_vector(p, number, d->stride, where, v);
+	memcpy(d->values + d->count, v, d->stride * sizeof *v);
+	d->count += d->stride;
+}
+
+static void no_textures(struct doubles *d, size_t from)
+{
+	for (size_t i = from; i < d->count; i++)
+		d->extra[i] = -1;
+}
+
+void doubles_face(struct parser *p, struct doubles *d, struct number number, span where)
+{
+	if (number.terms != 1) {
+		doubles_add(p, d, number, where);
+		if (d->extra)
+			no_textures(d, d->count - 3);
+		d->textures = 0;
+		return;
+	}
+	if (!d->count || d->textures == 3) {
+		parser_error(p, where, "a face needs three vertex indices <a, b, c>");
+		return;
+	}
+	if (!d->extra) {
+		d->extra = ARENA_ARRAY(p->arena, d->capacity, double);
+		no_textures(d, 0);
+	}
+	d->extra[d->count - 3 + d->textures++] = number.v[0];
+}
+
+/* -- mesh --------------------------------------------------------------------------------- */
+
+struct mesh_items *mesh_items_new(struct parser *p)
+{
+	return ARENA_NEW(p->arena, struct mesh_items);
+}
+
+struct node *mesh_face(struct parser *p, enum keyword keyword, span whole, span word, size_t start,
+	struct node_list tail)
+{
+	struct grammar *g = p->grammar;
+	const size_t wanted = keyword == K_TRIANGLE ? 3 : 6;
+	const size_t found = g->arg_count - start;
+	const char *needs = keyword == K_TRIANGLE ? "three corners"
+						  : "three corners, each with its normal";
+	if (found != wanted)
+		parser_error(p, word, "%s needs %s, found %zu vectors", keyword_name(keyword), needs,
+			found);
+	double *values = ARENA_ARRAY(p->arena, 3 * found, double);
+	for (size_t i = 0; i < found; i++) {
+		double v[5];
+		number_to_vector(p, g->args[start + i].number, 3, g->args[start + i].span, v);
+		memcpy(values + 3 * i, v, 3 * sizeof *v);
+	}
+	g->arg_count = start;
+	struct node *node = node_args(p, keyword, whole, word,
+		args_push_array(p, values, 3 * found, 3, whole));
+	node->children = tail.first;
+	return node;
+}
+
+struct mesh_items *mesh_add(struct parser *p, struct mesh_items *mesh, struct node *item)
+{
+	const bool plain = (item->keyword == K_TRIANGLE || item->keyword == K_SMOOTH_TRIANGLE) &&
+		!item->children;
+	if (plain && mesh->run_node && mesh->run_node->keyword == item->keyword) {
+		const struct arg *arg = item->args;
+		reserve(p, &mesh->run, arg->array.count);
+		memcpy(mesh->run.values + mesh->run.count, arg->array.values,
+			arg->array.count * sizeof(double));
+		mesh->run.count += arg->array.count;
+		struct arg *all = mesh->run_arg;
+		all->array.values = mesh->run.values;
+		all->array.count = mesh->run.count;
+		mesh->run_node->span = span_join(mesh->run_node->span, item->span);
+		return mesh;
+	}
+	mesh->items = list_add(mesh->items, item);
+	mesh->run_node = NULL;
+	if (plain) {
+		struct arg *arg = arena_copy(p->arena, item->args, sizeof *arg);
+		item->args = arg;
+		mesh->run_node = item;
+		mesh->run_arg = arg;
+		mesh->run = (struct doubles){ .values = NULL };
+		reserve(p, &mesh->run, arg->array.count);
+		memcpy(mesh->run.values, arg->array.values, arg->array.count * sizeof(double));
+		mesh->run.count = arg->array.count;
+	}
+	return mesh;
+}
+
+/* -- mesh2 -------------------------------------------------------------------------------- */
+
+struct node *mesh2_list(struct parser *p, enum keyword keyword, span whole, span word,
+	double declared, span count_span, const struct doubles *d, unsigned stride)
+{
+	const size_t found = d->count / stride;
+	if (!(declared >= 1) || (size_t)declared != found)
+		parser_error(p, count_span, "%s says %g entries, but %zu follow",
+			keyword_name(keyword), declared, found);
+	const size_t start = args_push_number(p, number_float(declared), count_span);
+	args_push_array(p, d->values, d->count, stride, whole);
+	if (d->extra)
+		args_push_array(p, d->extra, d->count, stride, whole);
+	return node_args(p, keyword, whole, word, start);
+}
+
+struct node *mesh2_node(struct parser *p, struct node_list items, span whole, span word)
+{
+	struct node *node = node_block(p, K_MESH2, whole, word, items);
+	if (!node_child(node, K_VERTEX_VECTORS))
+		parser_error(p, word, "mesh2 needs vertex_vectors");
+	else if (!node_child(node, K_FACE_INDICES))
+		parser_error(p, word, "mesh2 needs face_indices");
+	return node;
+}

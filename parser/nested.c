@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The entries of the grammar: each starts a run with its start token. Runs
+ * nest, since a directive inside a statement reads its own expressions.
+ */
+#include "parser/build.h"
+
+#include "grammar.tab.h"
+
+#include <string.h>
+
+/* False: an error was reported. */
+static bool start_run(struct parser *p, struct run *run, int start)
+{
+	struct grammar *g = grammar_state(p);
+	if (p->failed)
+		return false;
+	if (g->nested == NESTED_PARSES) {
+		parser_error(p, NO_SPAN, "expressions and declarations are nested too deeply");
+		return false;
+	}
+	run->start = start;
+	run->start_token = start;
+	run->last = NULL;
+	run->depth = run->opening_capacity = 0;
+	run->openings = NULL;
+	run->braces = run->queue_first = run->queue_count = 0;
+	run->word = K_NONE;
+	run->accepted = false;
+	const size_t height = g->arg_count;
+	/* A value read within a function body does not see the body's parameters. */
+	struct function_scope *scope = g->scope;
+	g->scope = NULL;
+	g->nested++;
+	const int failed = grammar_parse(p, run);
+	g->nested--;
+	g->scope = scope;
+	g->arg_count = height;
+	return !failed && run->accepted && !p->failed;
+}
+
+static bool to_float(struct parser *p, const struct run *run, double *value)
+{
+	const struct number number = run->value.number;
+	if (number.terms != 1) {
+		parser_error(p, run->where, "a float is wanted here, not a %s",
+			number.terms == 5 ? "colour" : "vector");
+		return false;
+	}
+	*value = number.v[0];
+	return true;
+}
+
+bool parse_float(struct parser *p, double *value)
+{
+	struct run run;
+	return start_run(p, &run, T_START_FLOAT) && to_float(p, &run, value);
+}
+
+bool parse_condition(struct parser *p, double *value)
+{
+	struct run run;
+	return start_run(p, &run, T_START_CONDITION) && to_float(p, &run, value);
+}
+
+bool parse_number_any(struct parser *p, struct number *value)
+{
+	struct run run;
+	if (!start_run(p, &run, T_START_NUMBER))
+		return false;
+	*value = run.value.number;
+	return true;
+}
+
+bool parse_string(struct parser *p, const char **text, bool file_name)
+{
+	struct run run;
+	if (!start_run(p, &run, T_START_STRING))
+		return false;
+	*text = file_name ? run.text.raw : run.text.text;
+	return true;
+}
+
+bool parse_declared(struct parser *p, struct value *value)
+{
+	struct run run;
+	if (!start_run(p, &run, T_START_DECLARED))
+		return false;
+	*value = run.value;
+	return true;
+}
+
+bool parse_defaults(struct parser *p)
+{
+	struct run run;
+	return start_run(p, &run, T_START_DEFAULTS);
+}
+
+bool parse_statements(struct parser *p, const struct node **statements)
+{
+	struct run run;
+	if (!start_run(p, &run, T_START_SCENE))
+		return false;
+	*statements = run.list.first;
+	return true;
+}

@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Between the directive layer and the grammar: delivers the tokens of one run
+ * with the small values the grammar keeps, remembers open brackets for
+ * messages, and says in plain words what is wrong at a syntax error.
+ *
+ * Vectors of plain numbers, the bulk of every large scene, are put together
+ * here and reach the grammar as one T_VECTOR.
+ */
+#include "parser/build.h"
+
+#include "grammar.tab.h"
+
+#include <string.h>
+
+const int keyword_token[KEYWORD_COUNT] = {
+#define KEYWORD(word, WORD) [K_##WORD] = KW_##WORD,
+#define SYNONYM(word, WORD)
+#include "parser/keywords.def"
+#undef KEYWORD
+#undef SYNONYM
+};
+
+struct grammar *grammar_state(struct parser *p)
+{
+	if (!p->grammar)
+		p->grammar = ARENA_NEW(p->arena, struct grammar);
+	return p->grammar;
+}
+
+/* -- Open brackets ------------------------------------------------------------------------ */
+
+static void open_bracket(struct parser *p, struct run *run, int token, span where)
+{
+	if (run->depth == run->opening_capacity) {
+		const size_t capacity = run->depth ? 2 * run->depth : 8;
+		struct opening *grown = ARENA_ARRAY(p->arena, capacity, struct opening);
+		if (run->depth)
+			memcpy(grown, run->openings, run->depth * sizeof *grown);
+		run->openings = grown;
+		run->opening_capacity = capacity;
+	}
+	run->openings[run->depth++] = (struct opening){ token, where, run->word_span, run->word };
+}
+
+static void note_token(struct parser *p, struct run *run, const struct queued *t)
+{
+	switch (t->token) {
+	case '{':
+		run->braces++;
+		open_bracket(p, run, '{', t->where);
+		break;
+	case '(':
+	case '[':
+		open_bracket(p, run, t->token, t->where);
+		break;
+	case '}':
+		if (run->braces)
+			run->braces--;
+		/* fall through */
+	case ')':
+	case ']':
+		if (run->depth)
+			run->depth--;
+		break;
+	default:
+		break;
+	}
+	run->word = t->value.keyword;
+	run->word_span = t->where;
+}
+
+/* -- Plain vectors ------------------------------------------------------------------------ */
+
+static int fetch(struct parser *p, struct queued *t)
+{
+	t->value.keyword = K_NONE;
+	t->value.symbol = NULL;
+	t->token = expand_next(p, &t->value, &t->where);
+	return t->token;
+}
+
+/* Tries to read `< 1, -2, 3 >`, the '<' being the first of the queue; fetched tokens stay in the
+ * queue. True: queue[0] has become the vector. */
+static bool fold_vector(struct parser *p, struct run *run)
+{
+	struct queued *q = run->queue;
+	struct number number = { .terms = 0 };
+	unsigned n = 1;
+	int token = fetch(p, &q[n]);
+	for (;;) {
+		double sign = 1;
+		while (token == '-' && n + 2 < RUN_QUEUE) {
+			sign = -sign;
+			token = fetch(p, &q[++n]);
+		}
+		if (token != T_NUMBER || number.terms == 5 || n + 3 >= RUN_QUEUE)
+			break;
+		number.v[number.terms++] = sign * q[n].value.number.v[0];
+		token = fetch(p, &q[++n]);
+		if (token == ',')
+			token = fetch(p, &q[++n]);
+		else if (token == '>') {
+			if (number.terms < 2)
+				break;
+			q[0].token = T_VECTOR;
+			q[0].value.number = number;
+			q[0].value.symbol = NULL;
+			q[0].where = span_join(q[0].where, q[n].where);
+			run->queue_first = run->queue_count = 0;
+			return true;
+		} else if (token != T_NUMBER) {
+			break;
+		}
+	}
+	run->queue_first = 1;
+	run->queue_count = n + 1;
+	return false;
+}
+
+static struct queued *next_token(struct parser *p, struct run *run)
+{
+	if (run->queue_first < run->queue_count)
+		return &run->queue[run->queue_first++];
+	struct queued *t = &run->queue[0];
+	/* Only inside braces, where the run cannot end, may tokens be read ahead. */
+	if (fetch(p, t) == '<' && run->braces)
+		fold_vector(p, run);
+	return t;
+}
+
+/* -- Values of tokens --------------------------------------------------------------------- */
+
+static const char *token_name(const struct token_value *v)
+{
+	return v->symbol ? symbol_name(v->symbol) : v->name;
+}
+
+static void convert(GRAMMAR_STYPE *out, int token, const struct token_value *v)
+{
+	switch (token) {
+	case T_NUMBER:
+	case T_VECTOR:
+	case T_COLOUR:
+		out->named = (struct number_value){ v->number, v->symbol };
+		if (token == T_NUMBER)
+			out->named.number.terms = 1;
+		out->named.number.leftover = false;
+		break;
+	case T_STRING:
+		out->text = (struct text_value){ v->string, v->raw ? v->raw : v->string };
+		break;
+	case T_FUNCTION:
+	case T_VECTOR_FUNCTION:
+		out->function = v->function;
+		break;
+	case T_SPLINE:
+		out->spline = v->spline;
+		break;
+	case T_ARRAY:
+		out->symbol = v->symbol;
+		break;
+	case T_UNDECLARED:
+		out->name = v->name;
+		break;
+	default:
+		if (v->keyword != K_NONE)
+			out->keyword = v->keyword;
+		else
+			out->ref = (struct reference){ v->node, token_name(v) };
+		break;
+	}
+}
+
+int grammar_lex(GRAMMAR_STYPE *, span *, struct parser *, struct run *);
+int grammar_lex(GRAMMAR_STYPE *value, span *where, struct parser *p, struct run *run)
+{
+	if (run->start) {
+		const int start = run->start;
+		run->start = 0;
+		*where = NO_SPAN;
+		return start;
+	}
+	struct queued *t = next_token(p, run);
+	if (p->failed)
+		t->token = 0;
+	note_token(p, run, t);
+	run->last = t;
+	*where = t->where;
+	convert(value, t->token, &t->value);
+	return t->token;
+}
+
+void run_accept(struct parser *p, struct run *run, bool ahead)
+{
+	run->accepted = true;
+	if (ahead && run->last && !p->failed)
+		expand_unread(p, run->last->token, &run->last->value, run->last->where);
+}
+
+/* -- Messages ----------------------------------------------------------------------------- */
+
+static const char *closing(int token)
+{
+	return token == '{' ? "}" : token == '(' ? ")" : "]";
+}
+
+static const char *found_words(struct parser *p, const struct queued *t)
+{
+	switch (t->token) {
+	case 0:
+		return "the end of the text";
+	case T_NUMBER:
+		return token_name(&t->value) && t->value.symbol
+			? arena_printf(p->arena, "the float '%s'", token_name(&t->value))
+			: "a number";
+	case T_STRING:
+		return "a string";
+	case T_HASH:
+		return "a directive";
+	default:
+		break;
+	}
+	if (t->value.keyword != K_NONE)
+		return arena_printf(p->arena, "'%s'", keyword_name(t->value.keyword));
+	if (t->value.symbol)
+		return arena_printf(p->arena, "%s '%s'", token_words(t->token),
+			symbol_name(t->value.symbol));
+	return token_words(t->token);
+}
+
+/* The statement whose block is innermost, or NULL. */
+static const struct opening *innermost(const struct run *run)
+{
+	return run->depth ? &run->openings[run->depth - 1] : NULL;
+}
+
+static bool is_closing(int token)
+{
+	return token == '}' || token == ')' || token == ']';
+}
+
+void syntax_error(struct parser *p, struct run *run, const char *expected)
+{
+	if (p->failed || !run->last)
+		return;
+	const struct queued *t = run->last;
+	if (t->token == T_UNDECLARED) {
+		parser_error_undeclared(p, t->where, t->value.name);
+		return;
+	}
+	/* A closing bracket that does not fit has already been taken off the stack. */
+	const struct opening *open = is_closing(t->token) && run->depth < run->opening_capacity &&
+			run->openings[run->depth].token != 0
+		? &run->openings[run->depth]
+		: innermost(run);
+	const char *found = found_words(p, t);
+	if (t->token == 0 && open) {
+		parser_error(p, t->where, "missing %s for %s opened here", closing(open->token),
+			open->keyword != K_NONE ? keyword_name(open->keyword) : "the bracket");
+		diag_note(p->diag, open->keyword != K_NONE ? open->word : open->where,
+			"opened here");
+		return;
+	}
+	const char *in = open && open->keyword != K_NONE
+		? arena_printf(p->arena, " in %s", keyword_name(open->keyword))
+		: "";
+	if (expected)
+		parser_error(p, t->where, "unexpected %s%s: expected %s", found, in, expected);
+	else
+		parser_error(p, t->where, "unexpected %s%s", found, in);
+	if (open && (t->token == 0 || is_closing(t->token)) && closing(open->token)[0] != t->token)
+		diag_note(p->diag, open->where, "the %c is still open", open->token);
+}
+
+void grammar_error(const span *, struct parser *, struct run *, const char *);
+void grammar_error(const span *where, struct parser *p, struct run *run, const char *message)
+{
+	(void)run;
+	if (!p->failed) /* "memory exhausted": nesting too deep */
+		parser_error(p, *where, "too deeply nested here (%s)", message);
+}

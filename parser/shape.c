@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The primitives that are a list of numbers: what each wants, so that a
+ * missing radius is called a missing radius; and the polynomials with their
+ * long lists of coefficients.
+ */
+#include "parser/build.h"
+
+/* One line each: the letters of node_fit for the leading arguments, then what the rest is. */
+struct shape_form {
+	enum keyword keyword;
+	const char *letters;
+	unsigned tail; /* numbers per element of the list behind them, 0: none */
+	size_t fixed;  /* elements the list must have, 0: as many as the last float says */
+	const char *names[8];
+};
+
+/* clang-format off */
+static const struct shape_form forms[] = {
+	{ K_SPHERE,          "vf",      0, 0, { "a centre", "a radius" } },
+	{ K_BOX,             "vv",      0, 0, { "a corner", "a second corner" } },
+	{ K_CYLINDER,        "vvf",     0, 0, { "a base point", "a cap point", "a radius" } },
+	{ K_CONE,            "vfvf",    0, 0, { "a base point", "a base radius", "a cap point", "a cap radius" } },
+	{ K_TORUS,           "ff",      0, 0, { "a major radius", "a minor radius" } },
+	{ K_PLANE,           "vf",      0, 0, { "a normal", "a distance" } },
+	{ K_DISC,            "vvff?",   0, 0, { "a centre", "a normal", "a radius", "a hole radius" } },
+	{ K_TRIANGLE,        "vvv",     0, 0, { "a first corner", "a second corner", "a third corner" } },
+	{ K_SMOOTH_TRIANGLE, "vvvvvv",  0, 0, { "a first corner", "a first normal", "a second corner",
+		"a second normal", "a third corner", "a third normal" } },
+	{ K_QUADRIC,         "vvvf",    0, 0, { "square terms", "mixed terms", "linear terms", "a constant term" } },
+	{ K_SUPERELLIPSOID,  "2",       0, 0, { "exponents" } },
+	{ K_OVUS,            "ff",      0, 0, { "a bottom radius", "a top radius" } },
+	{ K_TEXT,            "ssfv",    0, 0, { "a font", "a text", "a thickness", "an offset" } },
+	{ K_POLYGON,         "f",       3, 0, { "a number of points" } },
+	{ K_LATHE,           "f",       2, 0, { "a number of points" } },
+	{ K_PRISM,           "fff",     2, 0, { "a base height", "a top height", "a number of points" } },
+	{ K_SOR,             "f",       2, 0, { "a number of points" } },
+	{ K_SPHERE_SWEEP,    "f",       4, 0, { "a number of spheres" } },
+	{ K_BICUBIC_PATCH,   "",        3, 16, { NULL } },
+};
+/* clang-format on */
+
+static const struct shape_form *form_of(enum keyword keyword)
+{
+	for (size_t i = 0; i < sizeof forms / sizeof *forms; i++)
+		if (forms[i].keyword == keyword)
+			return &forms[i];
+	return NULL;
+}
+
+struct body body_add(struct body body, struct node *item)
+{
+	body.items = list_add(body.items, item);
+	return body;
+}
+
+/* How many leading arguments there must be. */
+static size_t leading(const struct shape_form *form)
+{
+	size_t n = 0;
+	for (const char *c = form->letters; *c; c++)
+		n += *c != '?' && c[1] != '?';
+	return n;
+}
+
+/* Writes one element of a list: a vector, or for sphere_sweep a centre and a radius. */
+static void list_element(
+	struct parser *p, const struct arg *args, unsigned stride, double out[5])
+{
+	if (stride == 4) {
+		number_to_vector(p, args[0].number, 3, args[0].span, out);
+		out[3] = number_to_float(p, args[1].number, args[1].span);
+	} else {
+		number_to_vector(p, args[0].number, stride, args[0].span, out);
+	}
+}
+
+/* Replaces the arguments from `start` by one array. */
+static void gather(struct parser *p, const struct shape_form *form, size_t start, span word)
+{
+	struct grammar *g = p->grammar;
+	const size_t per = form->tail == 4 ? 2 : 1;
+	const size_t found = (g->arg_count - start) / per;
+	size_t wanted = form->fixed;
+	if (!wanted) {
+		const double said = g->args[start - 1].number.v[0];
+		wanted = said >= 1 && said < 1e9 ? (size_t)said : 0;
+	}
+	if (found != wanted || (g->arg_count - start) % per) {
+		parser_error(p, word, "%s needs %zu points, found %zu",
+			keyword_name(form->keyword), wanted, found);
+		g->arg_count = start;
+		return;
+	}
+	double *values = ARENA_ARRAY(p->arena, found * form->tail, double);
+	for (size_t i = 0; i < found; i++) {
+		double element[5];
+		list_element(p, &g->args[start + i * per], form->tail, element);
+		for (unsigned k = 0; k < form->tail; k++)
+			values[i * form->tail + k] = element[k];
+	}
+	const span where = found ? g->args[start].span : word;
+	g->arg_count = start;
+	args_push_array(p, values, found * form->tail, form->tail, where);
+}
+
+/* Strings stand in the first two places of a text, and nowhere else. */
+static void check_kinds(struct parser *p, enum keyword keyword, size_t start)
+{
+	const struct grammar *g = p->grammar;
+	for (size_t i = start; i < g->arg_count; i++) {
+		const struct arg *arg = &g->args[i];
+		const bool wants = keyword == K_TEXT && i - start < 2;
+		if (arg->kind == ARG_STRING && !wants)
+			parser_error(p, arg->span, "unexpected string in %s", keyword_name(keyword));
+		else if (arg->kind != ARG_STRING && wants && i != start)
+			parser_error(p, arg->span, "text needs a string here");
+	}
+}
+
+static void check_steps(struct parser *p, enum keyword keyword, struct node_list items)
+{
+	for (const struct node *n = items.first; n; n = n->next) {
+		const bool solver = n->keyword == K_STURM;
+		const bool hierarchy = n->keyword == K_HIERARCHY;
+		const bool may_sturm = keyword == K_LATHE || keyword == K_OVUS ||
+			keyword == K_PRISM || keyword == K_SOR || keyword == K_TORUS;
+		if ((solver && !may_sturm) || hierarchy || n->keyword == K_SPLIT_UNION ||
+			n->keyword == K_CUTAWAY_TEXTURES)
+			parser_error(p, n->span, "%s does not apply to %s",
+				keyword_name(n->keyword), keyword_name(keyword));
+	}
+}
+
+struct node *shape_node(
+	struct parser *p, enum keyword keyword, span whole, span word, struct body body)
+{
+	struct grammar *g = p->grammar;
+	const struct shape_form *form = form_of(keyword);
+	const size_t least = leading(form), found = g->arg_count - body.start;
+	struct node *node = NULL;
+	check_kinds(p, keyword, body.start);
+	check_steps(p, keyword, body.items);
+	if (found < least) {
+		parser_error(p, word, "%s needs %s", keyword_name(keyword), form->names[found]);
+		g->arg_count = body.start + found;
+		node = node_args(p, keyword, whole, word, body.start);
+	} else if (form->tail) {
+		for (size_t i = 0; i < least; i++) {
+			struct arg *arg = &g->args[body.start + i];
+			arg->number =
+				number_float(number_to_float(p, arg->number, arg->span));
+		}
+		gather(p, form, body.start + least, word);
+		node = node_args(p, keyword, whole, word, body.start);
+	} else {
+		if (keyword == K_DISC && found > 4) { /* the last hole radius counts */
+			g->args[body.start + 3] = g->args[g->arg_count - 1];
+			g->arg_count = body.start + 4;
+		}
+		node = node_fit(p, keyword, whole, word, body.start, form->letters);
+	}
+	node->children = body.items.first;
+	return node;
+}
+
+struct node *shape_coefficients(struct parser *p, enum keyword keyword, span whole, span word,
+	size_t start, span at, struct node_list items)
+{
+	struct grammar *g = p->grammar;
+	size_t order = keyword == K_CUBIC ? 3 : 4, first = start;
+	if (keyword == K_POLY) {
+		const double said = number_to_float(p, g->args[start].number, g->args[start].span);
+		order = said >= 2 && said < 36 ? (size_t)said : 0;
+		if (!order)
+			parser_error(p, g->args[start].span, "the order of a poly is 2 to 35");
+		g->args[start].number = number_float(said);
+		first++;
+	}
+	const size_t wanted = (order + 1) * (order + 2) * (order + 3) / 6;
+	const size_t found = g->arg_count - first;
+	if (order && found != wanted)
+		parser_error(p, at, "%s needs %zu coefficients, found %zu", keyword_name(keyword),
+			wanted, found);
+	double *values = ARENA_ARRAY(p->arena, found + 1, double);
+	for (size_t i = 0; i < found; i++)
+		values[i] = number_to_float(p, g->args[first + i].number, g->args[first + i].span);
+	g->arg_count = first;
+	args_push_array(p, values, found, 1, at);
+	struct node *node = node_args(p, keyword, whole, word, start);
+	node->children = items.first;
+	return node;
+}

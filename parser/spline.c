@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Splines: building the sorted list of entries and evaluating it, linear,
+ * quadratic, cubic (Catmull-Rom, standing still in the first and last
+ * interval) and natural.
+ */
+#include "parser/build.h"
+
+#include <string.h>
+
+/* -- Building ----------------------------------------------------------------------------- */
+
+void spline_entry(struct parser *p, double key, span key_at, struct number value, span at)
+{
+	if (value.terms == 1) { /* at least a 2-vector */
+		value.terms = 2;
+		value.v[1] = value.v[0];
+	}
+	args_push_number(p, number_float(key), key_at);
+	args_push_number(p, value, at);
+}
+
+struct entries {
+	double *keys;
+	double (*values)[5];
+	size_t count;
+};
+
+/* Keeps the keys sorted. An equal key replaces the value, but not that of the largest key. */
+static void insert(struct entries *e, double key, const double value[5])
+{
+	size_t i = e->count;
+	while (i > 0 && e->keys[i - 1] >= key)
+		i--;
+	if (i < e->count && e->keys[i] == key) {
+		if (i + 1 < e->count || e->count < 2)
+			memcpy(e->values[i], value, sizeof e->values[i]);
+		return;
+	}
+	memmove(e->keys + i + 1, e->keys + i, (e->count - i) * sizeof *e->keys);
+	memmove(e->values + i + 1, e->values + i, (e->count - i) * sizeof *e->values);
+	e->keys[i] = key;
+	memcpy(e->values[i], value, sizeof e->values[i]);
+	e->count++;
+}
+
+static enum spline_type type_of(enum keyword word)
+{
+	switch (word) {
+	case K_QUADRATIC_SPLINE:
+		return SPLINE_QUADRATIC;
+	case K_CUBIC_SPLINE:
+		return SPLINE_CUBIC;
+	case K_NATURAL_SPLINE:
+		return SPLINE_NATURAL;
+	default:
+		return SPLINE_LINEAR;
+	}
+}
+
+const struct spline *spline_build(struct parser *p, const struct spline *base, enum keyword type,
+	size_t start, span where)
+{
+	struct grammar *g = p->grammar;
+	const size_t added = (g->arg_count - start) / 2, old = base ? base->count : 0;
+	struct entries e = { ARENA_ARRAY(p->arena, old + added + 1, double),
+		arena_array(p->arena, old + added + 1, sizeof(double[5])), old };
+	struct spline *spline = ARENA_NEW(p->arena, struct spline);
+	unsigned terms = base ? base->terms : 2;
+	if (!g->spline_warned)
+		diag_warning(p->diag, where, "splines are an experimental feature of the language");
+	g->spline_warned = true;
+	if (old) {
+		memcpy(e.keys, base->keys, old * sizeof *e.keys);
+		memcpy(e.values, base->values, old * sizeof *e.values);
+	}
+	for (size_t i = 0; i < added; i++) {
+		const struct number value = g->args[start + 2 * i + 1].number;
+		double v[5] = { 0 };
+		memcpy(v, value.v, value.terms * sizeof *v);
+		terms = value.terms > terms ? value.terms : terms;
+		insert(&e, g->args[start + 2 * i].number.v[0], v);
+	}
+	g->arg_count = start;
+	if (!e.count)
+		parser_error(p, where, "a spline needs at least one entry");
+	spline->type = type != K_NONE ? type_of(type) : base ? base->type : SPLINE_LINEAR;
+	spline->terms = terms;
+	spline->count = e.count;
+	spline->keys = e.keys;
+	spline->values = (const double(*)[5])e.values;
+	return spline;
+}
+
+/* -- Evaluating --------------------------------------------------------------------------- */
+
+/* One component of a spline. */
+struct curve {
+	const double *t;
+	const double (*v)[5];
+	size_t n; /* index of the last entry */
+	unsigned k;
+};
+
+static double value_at(const struct curve *c, size_t i)
+{
+	return c->v[i][c->k];
+}
+
+static double linear(const struct curve *c, size_t i, double p)
+{
+	const double a = value_at(c, i - 1), b = value_at(c, i);
+	return a + (p - c->t[i - 1]) * (b - a) / (c->t[i] - c->t[i - 1]);
+}
+
+static double quadratic(const struct curve *c, size_t i, double p)
+{
+	if (c->n == 1)
+		return linear(c, i, p);
+	const size_t first = i >= 2 ? i - 2 : 0;
+	const double t1 = c->t[first], t2 = c->t[first + 1], t3 = c->t[first + 2];
+	const double v1 = value_at(c, first), v2 = value_at(c, first + 1),
+		     v3 = value_at(c, first + 2);
+	const double d = (t2 - t1) * (t3 - t1) * (t3 - t2);
+	const double a = (v1 * (t3 - t2) + v2 * (t1 - t3) + v3 * (t2 - t1)) / d;
+	const double b = (v1 * (t2 * t2 - t3 * t3) + v2 * (t3 * t3 - t1 * t1) +
+				 v3 * (t1 * t1 - t2 * t2)) /
+		d;
+	const double e = (v1 * (t2 * t3 * t3 - t2 * t2 * t3) + v2 * (t1 * t1 * t3 - t1 * t3 * t3) +
+				 v3 * (t1 * t2 * t2 - t1 * t1 * t2)) /
+		d;
+	return (a * p + b) * p + e;
+}
+
+static double cubic(const struct curve *c, size_t i, double p)
+{
+	if (c->n == 1)
+		return (value_at(c, 0) + value_at(c, 1)) / 2;
+	if (i < 2)
+		return value_at(c, 1);
+	if (i >= c->n)
+		return value_at(c, c->n - 1);
+	const double *t = c->t;
+	const size_t a = i - 1, b = i;
+	const double d = t[b] - t[a], u = (p - t[a]) / d;
+	const double va = value_at(c, a), vb = value_at(c, b), slope = (vb - va) / d;
+	const double ma = 0.5 * ((va - value_at(c, a - 1)) / (t[a] - t[a - 1]) + slope) * d;
+	const double mb = 0.5 * ((value_at(c, b + 1) - vb) / (t[b + 1] - t[b]) + slope) * d;
+	const double u2 = u * u, u3 = u2 * u;
+	return va * (2 * u3 - 3 * u2 + 1) + vb * (3 * u2 - 2 * u3) + ma * (u3 - 2 * u2 + u) +
+		mb * (u3 - u2);
+}
+
+/* The second derivatives at the keys, zero at both ends. `work` holds 3 (n + 1) numbers; they are
+ * its first n + 1. */
+static void second_derivatives(const struct curve *c, double *work)
+{
+	const size_t n = c->n;
+	double *m = work, *u = work + n + 1, *w = work + 2 * (n + 1);
+	m[0] = m[n] = 0;
+	for (size_t j = 1; j < n; j++) {
+		const double h = c->t[j + 1] - c->t[j], before = c->t[j] - c->t[j - 1];
+		const double b = (value_at(c, j + 1) - value_at(c, j)) / h;
+		const double b0 = (value_at(c, j) - value_at(c, j - 1)) / before;
+		u[j] = 2 * (h + before);
+		w[j] = 6 * (b - b0);
+		if (j > 1) {
+			u[j] -= before * before / u[j - 1];
+			w[j] -= before * w[j - 1] / u[j - 1];
+		}
+	}
+	for (size_t j = n - 1; j >= 1; j--)
+		m[j] = (w[j] - (c->t[j + 1] - c->t[j]) * m[j + 1]) / u[j];
+}
+
+static double natural(const struct curve *c, size_t i, double p, double *work)
+{
+	second_derivatives(c, work);
+	const size_t a = i - 1;
+	const double h = c->t[i] - c->t[a], d = p - c->t[a], ma = work[a], mb = work[i];
+	const double va = value_at(c, a), vb = value_at(c, i);
+	return va +
+		d * (-(h / 6) * (mb + 2 * ma) + (vb - va) / h + d * (ma / 2 + d * (mb - ma) / (6 * h)));
+}
+
+/* The smallest index whose key is at least p; count if there is none. */
+static size_t find(const struct spline *s, double p)
+{
+	size_t lo = 0, hi = s->count;
+	while (lo < hi) {
+		const size_t middle = (lo + hi) / 2;
+		if (s->keys[middle] >= p)
+			hi = middle;
+		else
+			lo = middle + 1;
+	}
+	return lo;
+}
+
+static double component(const struct curve *c, enum spline_type type, size_t i, double p,
+	double *work)
+{
+	if (c->n == 0)
+		return value_at(c, 0);
+	if (type == SPLINE_CUBIC)
+		return cubic(c, i, p);
+	if (i == 0)
+		return value_at(c, 0);
+	if (i > c->n || p >= c->t[c->n])
+		return value_at(c, c->n);
+	switch (type) {
+	case SPLINE_QUADRATIC:
+		return quadratic(c, i, p);
+	case SPLINE_NATURAL:
+		return natural(c, i, p, work);
+	default:
+		return linear(c, i, p);
+	}
+}
+
+struct number spline_call(
+	struct parser *p, const struct spline *s, enum keyword type, double at, span where)
+{
+	(void)where;
+	const enum spline_type kind = type == K_NONE ? s->type : type_of(type);
+	struct number out = { .terms = (uint8_t)s->terms };
+	if (!s->count)
+		return out;
+	double *work = kind == SPLINE_NATURAL ? ARENA_ARRAY(p->arena, 3 * s->count, double) : NULL;
+	const size_t i = find(s, at);
+	for (unsigned k = 0; k < s->terms; k++) {
+		const struct curve c = { s->keys, s->values, s->count - 1, k };
+		out.v[k] = component(&c, kind, i, at, work);
+	}
+	return out;
+}

@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Statements whose node needs more than a word, arguments and children, and
+ * those that change the state of the language.
+ */
+#include "parser/build.h"
+
+#include <math.h>
+#include <string.h>
+
+/* -- Cameras ------------------------------------------------------------------------------ */
+
+static bool is_camera_type(enum keyword k)
+{
+	return k == K_PERSPECTIVE || k == K_ORTHOGRAPHIC || k == K_FISHEYE ||
+		k == K_ULTRA_WIDE_ANGLE || k == K_OMNIMAX || k == K_PANORAMIC || k == K_SPHERICAL ||
+		k == K_CYLINDER || k == K_MESH_CAMERA;
+}
+
+static bool is_transformation(enum keyword k)
+{
+	return k == K_TRANSLATE || k == K_ROTATE || k == K_SCALE || k == K_MATRIX || k == K_TRANSFORM;
+}
+
+/* From version 3.5 the type stands first, and a camera identifier takes transformations only. */
+void camera_check_order(struct parser *p, struct node_list items)
+{
+	if (p->state->version < 350)
+		return;
+	bool reference = false, item = false;
+	for (const struct node *n = items.first; n; n = n->next) {
+		if (n->keyword == K_REFERENCE) {
+			reference = true;
+		} else if (reference && !is_transformation(n->keyword)) {
+			parser_error(p, n->span,
+				"only transformations may follow a camera identifier");
+		} else if (!is_camera_type(n->keyword)) {
+			item = true;
+		} else if (item) {
+			parser_error(p, n->span, "the type of a camera, %s, must come first",
+				keyword_name(n->keyword));
+		}
+	}
+}
+
+/* -- Small shapes of nodes ---------------------------------------------------------------- */
+
+struct node *node_matrix(struct parser *p, span whole, span word, size_t start)
+{
+	struct grammar *g = p->grammar;
+	const size_t found = g->arg_count - start;
+	double *values = ARENA_ARRAY(p->arena, 12, double);
+	if (found != 12)
+		parser_error(p, word, "matrix needs 12 numbers, found %zu", found);
+	for (size_t i = 0; i < found && i < 12; i++)
+		values[i] = number_to_float(p, g->args[start + i].number, g->args[start + i].span);
+	g->arg_count = start;
+	return node_args(p, K_MATRIX, whole, word, args_push_array(p, values, 12, 1, whole));
+}
+
+struct node *magnet_node(
+	struct parser *p, span whole, span word, double type, span at, struct node *kind)
+{
+	if (type != 1 && type != 2)
+		parser_error(p, at, "a magnet pattern is of type 1 or 2");
+	struct node *node = node_number(p, K_MAGNET, whole, word, number_float(type), at);
+	node->children = kind;
+	return node;
+}
+
+struct node *parametric_node(struct parser *p, span whole, span word,
+	const struct function *const functions[3], const span at[3], size_t start,
+	struct node_list items)
+{
+	struct grammar *g = p->grammar;
+	const struct arg corners[2] = { g->args[start], g->args[start + 1] };
+	g->arg_count = start;
+	for (int i = 0; i < 3; i++)
+		args_push_function(p, functions[i], at[i]);
+	for (int i = 0; i < 2; i++)
+		args_push_number(p, corners[i].number, corners[i].span);
+	struct node *node = node_fit(p, K_PARAMETRIC, whole, word, start, "ppp22");
+	node->children = items.first;
+	return node;
+}
+
+struct node *old_finish_node(
+	struct parser *p, enum keyword keyword, span whole, span word, double value, span at)
+{
+	diag_warning(p->diag, word, "%s belongs in interior, not in finish", keyword_name(keyword));
+	return node_number(p, keyword, whole, word, number_float(value), at);
+}
+
+struct node *old_colour(struct parser *p, struct colour_value colour, span where)
+{
+	diag_warning(p->diag, where, "a colour among the modifiers of an object is obsolete%s",
+		p->state->version >= 150 ? " and ignored" : "");
+	return colour_node(p, colour_full(p, colour, where), where);
+}
+
+/* A float alone is the distance, as in the oldest scenes. */
+struct node *fog_colour(struct parser *p, struct colour_value colour, span where)
+{
+	if (colour.number.terms == 1 && !colour.parts)
+		return node_number(p, K_DISTANCE, where, where, colour.number, where);
+	return colour_node(p, colour_full(p, colour, where), where);
+}
+
+/* -- State of the language ---------------------------------------------------------------- */
+
+void default_add(struct parser *p, struct node *node)
+{
+	struct defaults *defaults = ARENA_NEW(p->arena, struct defaults);
+	defaults->previous = p->state->defaults;
+	defaults->node = node;
+	parser_change_state(p)->defaults = defaults;
+}
+
+void set_gamma(struct parser *p, float gamma, span where)
+{
+	if (p->state->assumed_gamma != 0)
+		diag_warning(p->diag, where, "assumed_gamma was already set; this one is ignored");
+	else if (gamma == 0 || !isfinite(gamma) || (gamma < 0 && gamma != -1))
+		parser_error(p, where, "assumed_gamma must be greater than 0");
+	else
+		parser_change_state(p)->assumed_gamma = gamma;
+}
+
+void set_noise(struct parser *p, double value, span where)
+{
+	const int generator = number_truncate(value);
+	if (generator < 1 || generator > 3)
+		parser_error(p, where, "noise_generator is 1, 2 or 3");
+	else
+		parser_change_state(p)->noise_generator = generator;
+}
+
+void set_charset(struct parser *p, const struct node *word)
+{
+	p->charset = word->keyword == K_UTF8 ? CHARSET_UTF8
+		: word->keyword == K_SYS     ? CHARSET_SYS
+					     : CHARSET_ASCII;
+}

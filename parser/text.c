@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The string functions. Strings are UTF-8; the language counts characters of
+ * 16 bits, which are the code points here.
+ */
+#include "parser/build.h"
+
+#include "grammar.tab.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+/* -- Code points -------------------------------------------------------------------------- */
+
+/* Reads one code point; `*s` moves behind it. */
+static unsigned next_code(const char **s)
+{
+	const unsigned char *b = (const unsigned char *)*s;
+	unsigned code = b[0], more = 0;
+	if (code >= 0xF0) {
+		code &= 0x07;
+		more = 3;
+	} else if (code >= 0xE0) {
+		code &= 0x0F;
+		more = 2;
+	} else if (code >= 0xC0) {
+		code &= 0x1F;
+		more = 1;
+	}
+	unsigned i = 1;
+	for (; i <= more && (b[i] & 0xC0) == 0x80; i++)
+		code = code << 6 | (b[i] & 0x3Fu);
+	*s += i;
+	return code;
+}
+
+static size_t put_code(char *out, unsigned code)
+{
+	if (code < 0x80) {
+		out[0] = (char)code;
+		return 1;
+	}
+	if (code < 0x800) {
+		out[0] = (char)(0xC0 | code >> 6);
+		out[1] = (char)(0x80 | (code & 0x3F));
+		return 2;
+	}
+	out[0] = (char)(0xE0 | code >> 12);
+	out[1] = (char)(0x80 | (code >> 6 & 0x3F));
+	out[2] = (char)(0x80 | (code & 0x3F));
+	return 3;
+}
+
+double text_length(const char *s)
+{
+	size_t n = 0;
+	while (*s) {
+		next_code(&s);
+		n++;
+	}
+	return (double)n;
+}
+
+double text_asc(const char *s)
+{
+	return *s ? (double)next_code(&s) : 0;
+}
+
+double text_compare(const char *a, const char *b)
+{
+	while (*a && *b) {
+		const unsigned x = next_code(&a), y = next_code(&b);
+		if (x != y)
+			return (double)x - (double)y;
+	}
+	return text_asc(a) - text_asc(b);
+}
+
+struct number text_relation(int op, const char *a, const char *b)
+{
+	const double order = text_compare(a, b);
+	bool result = false;
+	switch (op) {
+	case '<':
+		result = order < 0;
+		break;
+	case '>':
+		result = order > 0;
+		break;
+	case '=':
+		result = order == 0;
+		break;
+	case T_NE:
+		result = order != 0;
+		break;
+	case T_LE:
+		result = order <= 0;
+		break;
+	default:
+		result = order >= 0;
+		break;
+	}
+	return number_float(result);
+}
+
+double text_val(const char *s)
+{
+	return strtod(s, NULL);
+}
+
+/* -- Making strings ----------------------------------------------------------------------- */
+
+struct text_value text_both(const char *text)
+{
+	return (struct text_value){ text, text };
+}
+
+static const char *join(struct parser *p, const char *a, const char *b)
+{
+	const size_t la = strlen(a), lb = strlen(b);
+	char *out = arena_alloc(p->arena, la + lb + 1);
+	memcpy(out, a, la);
+	memcpy(out + la, b, lb);
+	return out;
+}
+
+struct text_value text_concat(struct parser *p, struct text_value a, struct text_value b)
+{
+	const char *text = join(p, a.text, b.text);
+	const bool same = a.text == a.raw && b.text == b.raw;
+	return (struct text_value){ text, same ? text : join(p, a.raw, b.raw) };
+}
+
+enum {
+	STR_LIMIT = 254,   /* longer results of str are written with %g */
+	WIDTH_LIMIT = 1000 /* of fields and precisions, far beyond STR_LIMIT */
+};
+
+static int limited(double value)
+{
+	const int n = number_truncate(value);
+	return n > WIDTH_LIMIT ? WIDTH_LIMIT : n < -WIDTH_LIMIT ? -WIDTH_LIMIT : n;
+}
+
+static const char *format_float(
+	struct parser *p, double value, double length, double precision, bool shorten)
+{
+	const int l = limited(length), digits = limited(precision);
+	const int width = l < 0 ? -l : l, places = digits < 0 ? 6 : digits;
+	const char *text = l < 0 ? arena_printf(p->arena, "%0*.*f", width, places, value)
+				 : arena_printf(p->arena, "%*.*f", width, places, value);
+	if (!shorten || strlen(text) <= STR_LIMIT)
+		return text;
+	return l < 0 ? arena_printf(p->arena, "%0*.*g", width, places, value)
+		     : arena_printf(p->arena, "%*.*g", width, places, value);
+}
+
+const char *text_str(struct parser *p, double value, double length, double precision)
+{
+	return format_float(p, value, length, precision, true);
+}
+
+const char *text_vstr(struct parser *p, double count, struct number value, const char *between,
+	double length, double precision)
+{
+	int n = number_truncate(count);
+	n = n < 2 ? 2 : n > 5 ? 5 : n;
+	const char *out = "";
+	for (int i = 0; i < n; i++) {
+		const double v = i < value.terms ? value.v[i] : 0;
+		if (i)
+			out = join(p, out, between);
+		out = join(p, out, format_float(p, v, length, precision, false));
+	}
+	return out;
+}
+
+const char *text_chr(struct parser *p, double value, span where)
+{
+	const int code = number_truncate(value);
+	char *out = arena_alloc(p->arena, 4);
+	if (code < 0 || code > 0xFFFF)
+		parser_error(p, where, "chr needs a code between 0 and 65535");
+	else if (code)
+		put_code(out, (unsigned)code);
+	return out;
+}
+
+const char *text_substr(struct parser *p, const char *s, double first, double count, span where)
+{
+	const int from = number_truncate(first), n = number_truncate(count);
+	if (from < 1 || n < 0 || (double)from + n - 1 > text_length(s)) {
+		parser_error(p, where, "substr reaches outside the string");
+		return "";
+	}
+	for (int i = 1; i < from; i++)
+		next_code(&s);
+	const char *end = s;
+	for (int i = 0; i < n; i++)
+		next_code(&end);
+	return arena_string(p->arena, s, (size_t)(end - s));
+}
+
+const char *text_case(struct parser *p, const char *s, bool upper, span where)
+{
+	char *out = arena_string(p->arena, s, strlen(s));
+	bool foreign = false;
+	for (char *c = out; *c; c++) {
+		if (upper && *c >= 'a' && *c <= 'z')
+			*c = (char)(*c - 'a' + 'A');
+		else if (!upper && *c >= 'A' && *c <= 'Z')
+			*c = (char)(*c - 'A' + 'a');
+		foreign |= (unsigned char)*c > 127;
+	}
+	if (foreign)
+		diag_warning(p->diag, where, "only the letters A to Z change their case");
+	return out;
+}
+
+const char *text_datetime(struct parser *p, double days, const char *format, span where)
+{
+	enum { LIMIT = 200 };
+	const double seconds = floor(86400 * (days + 10957) + 0.5);
+	char out[LIMIT] = "";
+	struct tm parts;
+	if (!format)
+		format = "%Y-%m-%d %H:%M:%SZ";
+	if (!(fabs(seconds) < 1e15)) {
+		parser_error(p, where, "no such date");
+		return "";
+	}
+	const time_t time = (time_t)seconds;
+	if (!*format || strlen(format) >= LIMIT || !gmtime_r(&time, &parts) ||
+		!strftime(out, sizeof out, format, &parts))
+		parser_error(p, where, "bad format of datetime");
+	return arena_string(p->arena, out, strlen(out));
+}
