@@ -510,26 +510,31 @@ static int fetch(struct parser *p, struct token_value *v, span *where)
 	}
 }
 
+/* Takes back the token handed back last, unless it belongs behind the text being read now. */
+static bool take_unread(struct expand *x, int *token, struct token_value *v, span *where)
+{
+	if (!x->unread_count || x->unread[x->unread_count - 1].frame < x->frame_count)
+		return false;
+	const struct unread *u = &x->unread[--x->unread_count];
+	*token = u->token;
+	*v = u->value;
+	*where = u->where;
+	return true;
+}
+
 int expand_next(struct parser *p, struct token_value *v, span *where)
 {
 	struct expand *x = p->expand;
-	if (x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count &&
-		!p->failed) {
-		const struct unread *u = &x->unread[--x->unread_count];
-		*v = u->value;
-		*where = u->where;
-		x->before = *x->gate;
-		gate_note(x->gate, u->token, v);
-		return u->token;
+	int token = -1;
+	while (token < 0 && !p->failed && !take_unread(x, &token, v, where)) {
+		*v = (struct token_value){ 0 };
+		token = fetch(p, v, where);
 	}
-	int token;
-	do {
+	if (p->failed) {
 		*v = (struct token_value){ 0 };
 		*where = NO_SPAN;
-		token = p->failed ? 0 : fetch(p, v, where);
-	} while (token < 0);
-	if (p->failed)
 		return 0;
+	}
 	symbols_recycle(&x->symbols, ++p->token_count);
 	x->before = *x->gate;
 	gate_note(x->gate, token, v);
