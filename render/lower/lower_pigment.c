@@ -35,7 +35,6 @@ static void name_colour(struct lowering *l, struct pigment_state *s, const struc
 {
 	s->form = FORM_PLAIN;
 	s->colour = lower_colour(l, item, 0);
-	s->pattern.steps = NULL;
 	s->map = NULL;
 }
 
@@ -146,15 +145,10 @@ const struct pigment_state *pigment_read(
 
 /* ---- changing ---- */
 
-static bool has_place(enum pigment_form form)
-{
-	return form == FORM_PATTERN || form == FORM_AVERAGE;
-}
-
 const struct pigment_state *pigment_moved(
 	struct lowering *l, const struct pigment_state *from, const transform *t)
 {
-	if (!has_place(from->form))
+	if (from->form == FORM_UV)
 		return from;
 	struct pigment_state *s = arena_copy(l->arena, from, sizeof *from);
 	s->built = NULL;

@@ -50,6 +50,8 @@ static struct layer_state *copy_layers(struct lowering *l, const struct texture_
 	return arena_copy(l->arena, spec->layers, spec->count * sizeof *spec->layers);
 }
 
+/* Whether the texture looks different in another place. (A plain pigment does not, but keeps its
+ * transformations for a pattern it may be given later.) */
 static bool spec_notices_place(const struct texture_spec *spec)
 {
 	if (spec->patterned)
@@ -65,8 +67,6 @@ static bool spec_notices_place(const struct texture_spec *spec)
 static const struct texture_spec *spec_moved(
 	struct lowering *l, const struct texture_spec *from, const transform *t)
 {
-	if (!spec_notices_place(from))
-		return from;
 	if (from->patterned) {
 		struct patterned_state *s =
 			arena_copy(l->arena, from->patterned, sizeof *from->patterned);
@@ -373,8 +373,6 @@ void texture_state_add(struct lowering *l, struct texture_state **state, const s
 void texture_state_transform(struct lowering *l, struct texture_state *s, const transform *t)
 {
 	(void)l;
-	if (!spec_notices_place(s->spec))
-		return;
 	s->place = s->is_placed ? transform_compose(&s->place, t) : *t;
 	s->is_placed = true;
 }
@@ -382,7 +380,7 @@ void texture_state_transform(struct lowering *l, struct texture_state *s, const 
 /* Objects that moved together share a texture: the last place is remembered. */
 const struct texture *texture_state_finish(struct lowering *l, struct texture_state *s, bool uv)
 {
-	if (!s->is_placed)
+	if (!s->is_placed || !spec_notices_place(s->spec))
 		return texture_build(l, s->spec, uv);
 	struct texture_spec *owned = (struct texture_spec *)(uintptr_t)s->spec;
 	const bool same = owned->built_moved[uv] &&
