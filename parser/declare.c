@@ -92,15 +92,22 @@ static bool assign(struct parser *p, const struct target *t, const struct value 
 	return true;
 }
 
+/* Takes a semicolon if it is next, without running a directive on the way. */
+static bool accept_semicolon(struct parser *p)
+{
+	p->expand->gate->operand = true;
+	return accept(p, ';');
+}
+
 /* The semicolon behind the value, which an expression needs. */
 static bool read_semicolon(struct parser *p, const struct value *v, span where)
 {
 	const bool expression = v->kind == VALUE_NUMBER || v->kind == VALUE_COLOUR;
-	const bool found = accept(p, ';');
+	const bool found = accept_semicolon(p);
 	if (p->failed)
 		return false;
 	if (found && expression)
-		accept(p, ';');
+		accept_semicolon(p);
 	if (found || !expression || p->state->version < 310)
 		return !p->failed;
 	if (p->state->version < 350) {
@@ -128,7 +135,6 @@ static bool read_value(struct parser *p, struct target *t, span where)
 		if (v.kind == VALUE_ARRAY &&
 			((gate.delivered == 1 && gate.slot) || v.array->kind == VALUE_ARRAY))
 			v = value_copy(p->arena, &v);
-		gate.operand = true;
 		ok = assign(p, t, &v) && read_semicolon(p, &v, where);
 	}
 	gate_close(p);
