@@ -22,8 +22,12 @@ static box csg_bounds(const void *self)
 		return csg->count ? b : box_nothing();
 	}
 	box b = box_nothing();
-	for (size_t i = 0; i < csg->count; i++)
+	for (size_t i = 0; i < csg->count; i++) {
+		/* a complement has no bounds (a difference within a difference) */
+		if (csg->children[i]->inverted)
+			return box_everything();
 		b = box_union(b, csg->children[i]->bounds);
+	}
 	return b;
 }
 
