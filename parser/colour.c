@@ -29,13 +29,13 @@ static unsigned word_terms(enum keyword word)
 	}
 }
 
-/* From sRGB to the working gamma. */
-static double decode(double c, float gamma)
+/* From sRGB to the working gamma, all in single precision as the reference does. */
+static float decode(float c, float gamma)
 {
 	if (gamma < 0)
 		return c;
-	const double linear = c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
-	return gamma == 1 ? linear : pow(linear, 1.0 / (double)gamma);
+	const float linear = c > 0.04045f ? powf((c + 0.055f) / 1.055f, 2.4f) : c / 12.92f;
+	return gamma == 1 ? linear : powf(linear, 1.0f / gamma);
 }
 
 struct number colour_word(struct parser *p, enum keyword word, struct number n, span where)
@@ -60,7 +60,7 @@ struct number colour_word(struct parser *p, enum keyword word, struct number n, 
 			keyword_name(word));
 	else
 		for (unsigned i = 0; i < 3; i++)
-			out.v[i] = decode(out.v[i], p->state->assumed_gamma);
+			out.v[i] = (double)decode((float)out.v[i], p->state->assumed_gamma);
 	return out;
 }
 

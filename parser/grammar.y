@@ -662,6 +662,7 @@ operand:
 	| T_COLOUR { $$ = $1.number; }
 	| axis { $$ = builtin_constant(p, $1); }
 	| '<' sums '>' { $$ = number_literal(p, $2, @$); }
+	| '<' sums ',' '>' { $$ = number_literal(p, $2, @$); }
 	| '(' full ')' { $$ = $2; }
 	| float_function '(' full ')' { $$ = builtin_float(p, $1, $3, @$); }
 	| list_function '(' sums ')' { $$ = builtin_list(p, $1, $3, @$); }

@@ -221,6 +221,8 @@ static const char *found_words(struct parser *p, const struct queued *t)
 	default:
 		break;
 	}
+	if (t->token > ' ' && t->token < 127)
+		return arena_printf(p->arena, "'%c'", t->token);
 	if (t->value.keyword != K_NONE)
 		return arena_printf(p->arena, "'%s'", keyword_name(t->value.keyword));
 	if (t->value.symbol)
