@@ -54,7 +54,7 @@ struct object {
 	bool hollow, double_illuminate;
 	bool uv_mapping;
 	bool normal_stays;	   /* raw normal is not negated by `inverted` (quadric) */
-	const transform *uv_place; /* with uv_mapping: the transformations of the object, or NULL */
+	const transform *uv_place; /* what a shape with uv coordinates has absorbed, or NULL */
 	const struct texture *texture, *interior_texture;
 	const struct interior *interior;
 	const struct light *const

@@ -265,7 +265,12 @@ static void set_outline(struct setting *s, double dx, double dy)
 {
 	struct lowering *l = s->lowering;
 	FT_Outline *outline = &s->face->glyph->outline;
-	struct pen pen = { .scale = s->unit, .dx = dx, .dy = dy };
+	/* in half units, or FreeType would round the points between two control points */
+	for (int i = 0; i < outline->n_points; i++) {
+		outline->points[i].x *= 2;
+		outline->points[i].y *= 2;
+	}
+	struct pen pen = { .scale = 0.5 * s->unit, .dx = dx, .dy = dy };
 	trace_outline(outline, &pen);
 	if (pen.has_cubics) {
 		lower_unsupported(l, s->node, "a font with cubic outlines");

@@ -13,6 +13,10 @@ struct box_shape {
 	vec3 lo, hi; /* as written until built */
 };
 
+/* Points this far outside, as a share of the size, are still inside. What coincides with a face
+ * then lies inside as a whole, instead of here and there as hit points are rounded. */
+#define SKIN 1e-10
+
 enum face { FACE_LEFT, FACE_RIGHT, FACE_BOTTOM, FACE_TOP, FACE_FRONT, FACE_BACK };
 
 static const struct param box_params[] = { PARAM_VECTOR("a corner", box_shape, lo),
@@ -120,8 +124,10 @@ static void box_hits(const void *self, const ray *r, double tmin, double tmax, s
 static bool box_inside(const void *self, vec3 p)
 {
 	const struct box_shape *b = self;
-	return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y &&
-	       p.z >= b->lo.z && p.z <= b->hi.z;
+	const vec3 size = vec_sub(b->hi, b->lo);
+	const double skin = SKIN * fmax(fmax(size.x, size.y), size.z);
+	return p.x >= b->lo.x - skin && p.x <= b->hi.x + skin && p.y >= b->lo.y - skin &&
+	       p.y <= b->hi.y + skin && p.z >= b->lo.z - skin && p.z <= b->hi.z + skin;
 }
 
 static vec3 box_normal(const void *self, const struct hit *hit, vec3 p)
