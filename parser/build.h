@@ -106,6 +106,7 @@ struct run {
 	struct opening *openings;
 	size_t opening_capacity;
 	enum keyword word; /* the last token, if it was a keyword */
+	enum keyword word_before; /* and the one before it */
 	span word_span;
 	struct queued queue[RUN_QUEUE]; /* read ahead inside braces; the first is also the present one */
 	unsigned queue_first, queue_count;

@@ -25,7 +25,7 @@ static bool start_run(struct parser *p, struct run *run, int start)
 	run->depth = run->opening_capacity = 0;
 	run->openings = NULL;
 	run->braces = run->queue_first = run->queue_count = 0;
-	run->word = K_NONE;
+	run->word = run->word_before = K_NONE;
 	run->accepted = false;
 	const size_t height = g->arg_count;
 	/* A value read within a function body does not see the body's parameters. */

@@ -66,6 +66,7 @@ static void note_token(struct parser *p, struct run *run, const struct queued *t
 	default:
 		break;
 	}
+	run->word_before = run->word;
 	run->word = t->value.keyword;
 	run->word_span = t->where;
 }
@@ -205,6 +206,13 @@ static const char *closing(int token)
 	return token == '{' ? "}" : token == '(' ? ")" : "]";
 }
 
+/* Without the article. */
+static const char *bare_words(int token)
+{
+	const char *words = token_words(token);
+	return strncmp(words, "a ", 2) == 0 ? words + 2 : strncmp(words, "an ", 3) == 0 ? words + 3 : words;
+}
+
 static const char *found_words(struct parser *p, const struct queued *t)
 {
 	switch (t->token) {
@@ -212,12 +220,10 @@ static const char *found_words(struct parser *p, const struct queued *t)
 		return "the end of the text";
 	case T_NUMBER:
 		return token_name(&t->value) && t->value.symbol
-			? arena_printf(p->arena, "the float '%s'", token_name(&t->value))
-			: "a number";
-	case T_STRING:
-		return "a string";
+			? arena_printf(p->arena, "float '%s'", token_name(&t->value))
+			: "number";
 	case T_HASH:
-		return "a directive";
+		return "directive";
 	default:
 		break;
 	}
@@ -226,9 +232,9 @@ static const char *found_words(struct parser *p, const struct queued *t)
 	if (t->value.keyword != K_NONE)
 		return arena_printf(p->arena, "'%s'", keyword_name(t->value.keyword));
 	if (t->value.symbol)
-		return arena_printf(p->arena, "%s '%s'", token_words(t->token),
+		return arena_printf(p->arena, "%s '%s'", bare_words(t->token),
 			symbol_name(t->value.symbol));
-	return token_words(t->token);
+	return bare_words(t->token);
 }
 
 /* The statement whose block is innermost, or NULL. */
@@ -258,20 +264,22 @@ void syntax_error(struct parser *p, struct run *run, const char *expected)
 		: innermost(run);
 	const char *found = found_words(p, t);
 	if (t->token == 0 && open) {
-		parser_error(p, t->where, "missing %s for %s opened here", closing(open->token),
-			open->keyword != K_NONE ? keyword_name(open->keyword) : "the bracket");
-		diag_note(p->diag, open->keyword != K_NONE ? open->word : open->where,
-			"opened here");
+		const bool named = open->keyword != K_NONE;
+		const char *what = named ? keyword_name(open->keyword)
+					 : arena_printf(p->arena, "'%c'", open->token);
+		parser_error(p, t->where, "missing %s for %s", closing(open->token), what);
+		diag_note(p->diag, named ? open->word : open->where, "%s is opened here", what);
 		return;
 	}
-	const char *in = open && open->keyword != K_NONE
-		? arena_printf(p->arena, " in %s", keyword_name(open->keyword))
-		: "";
+	const bool named = open && open->keyword != K_NONE;
+	const char *in = named ? arena_printf(p->arena, " in %s", keyword_name(open->keyword)) : "";
+	if (run->word_before != K_NONE)
+		in = arena_printf(p->arena, " behind %s%s", keyword_name(run->word_before), in);
 	if (expected)
 		parser_error(p, t->where, "unexpected %s%s: expected %s", found, in, expected);
 	else
 		parser_error(p, t->where, "unexpected %s%s", found, in);
-	if (open && (t->token == 0 || is_closing(t->token)) && closing(open->token)[0] != t->token)
+	if (open && is_closing(t->token) && closing(open->token)[0] != t->token)
 		diag_note(p->diag, open->where, "the %c is still open", open->token);
 }
 
