@@ -1,0 +1,11 @@
+// Fog that takes light away on its way.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at <0, 0.6, 0> right x * 4 / 3 angle 45 }
+light_source { <3, 5, -4> rgb <1, 0.9, 0.8> }
+light_source { <-4, 3, -5> rgb 0.3 }
+plane { y, 0 pigment { checker rgb 0.9 rgb <0.3, 0.2, 0.1> } }
+background { rgb <0.1, 0.2, 0.4> }
+fog{distance 8 color rgbft <.6,.6,.7,.3,.1>}
+light_source{<0,3,-2> rgb <1,.5,.5> media_attenuation on}
+sphere{<0,1.5,0>,.5 pigment{rgbf <1,.9,.9,.7>} hollow} sphere{<1.5,1.7,0>,.7 pigment{rgbt <1,.9,.9,.7>}}

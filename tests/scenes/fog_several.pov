@@ -1,0 +1,10 @@
+// Two fogs, one turbulent.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at <0, 0.6, 0> right x * 4 / 3 angle 45 }
+light_source { <3, 5, -4> rgb <1, 0.9, 0.8> }
+light_source { <-4, 3, -5> rgb 0.3 }
+plane { y, 0 pigment { checker rgb 0.9 rgb <0.3, 0.2, 0.1> } }
+background { rgb <0.1, 0.2, 0.4> }
+fog{distance 8 color rgbft <.6,.6,.7,.3,.1>} fog{fog_type 2 distance 4 color rgb <.9,.6,.3> fog_offset .3 fog_alt .4 turbulence <.5,.3,.4> turb_depth .7}
+sphere{<0,.7,0>,.7 pigment{rgbf <1,.9,.9,.7>} interior{ior 1.3} finish{reflection .3}} sphere{<1.5,.7,0>,.7 hollow pigment{rgbt <1,.9,.9,.7>}}

@@ -1,0 +1,10 @@
+// A light in a lamp.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at <0, 0.6, 0> right x * 4 / 3 angle 45 }
+light_source { <3, 5, -4> rgb <1, 0.9, 0.8> }
+light_source { <-4, 3, -5> rgb 0.3 }
+plane { y, 0 pigment { checker rgb 0.9 rgb <0.3, 0.2, 0.1> } }
+background { rgb <0.1, 0.2, 0.4> }
+light_source{<0,2,-1> rgb <1,.6,.3> looks_like{sphere{0,.3 pigment{rgbt <1,1,.5,.3>} finish{ambient 1}}} fade_distance 1.5 fade_power 2}
+sphere{<0.3,.7,0>,.5 pigment{rgb .8}}
