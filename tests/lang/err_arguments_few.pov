@@ -1,0 +1,3 @@
+#version 3.7;
+#macro M(A, B) #end
+M(1)
