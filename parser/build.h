@@ -86,7 +86,6 @@ struct elements {
 };
 
 /* One run of the grammar; nested parses have one each. */
-enum { RUN_QUEUE = 24 };
 struct opening {
 	int token;
 	span where, word;
@@ -100,7 +99,8 @@ struct queued {
 struct run {
 	int start; /* the start token, 0 once it was delivered */
 	int start_token;
-	const struct queued *last; /* the token delivered last */
+	struct queued present;
+	const struct queued *last; /* the token delivered last, NULL: none */
 	size_t depth; /* open brackets */
 	unsigned braces;
 	struct opening *openings;
@@ -108,8 +108,6 @@ struct run {
 	enum keyword word; /* the last token, if it was a keyword */
 	enum keyword word_before; /* and the one before it */
 	span word_span;
-	struct queued queue[RUN_QUEUE]; /* read ahead inside braces; the first is also the present one */
-	unsigned queue_first, queue_count;
 	/* The result. */
 	bool accepted;
 	struct value value;
@@ -193,7 +191,9 @@ struct node *shape_coefficients(
 struct node *mesh_face(struct parser *, enum keyword, span whole, span word, size_t start,
 	struct node_list tail);
 struct mesh_items *mesh_items_new(struct parser *);
-struct mesh_items *mesh_add(struct parser *, struct mesh_items *, struct node *);
+struct mesh_items *mesh_add(struct mesh_items *, struct node *);
+struct mesh_items *mesh_add_face(struct parser *, struct mesh_items *, enum keyword, span word,
+	span last, size_t start);
 struct doubles *doubles_new(struct parser *, double expected, unsigned stride);
 void doubles_add(struct parser *, struct doubles *, struct number, span);
 /* A face of a mesh2 (a vector) or a texture index behind it (one term). */

@@ -541,6 +541,55 @@ int expand_next(struct parser *p, struct token_value *v, span *where)
 	return token;
 }
 
+/* A number of a plain vector: a literal with signs before it. Moves *at behind it. */
+static bool plain_component(const struct frame *f, uint32_t *at, double *value)
+{
+	bool negative = false;
+	for (; *at < f->end && f->tokens[*at].kind == '-'; ++*at)
+		negative = !negative;
+	if (*at == f->end)
+		return false;
+	const struct raw_token raw = f->tokens[(*at)++];
+	if (raw.kind == RAW_INTEGER)
+		*value = raw.payload;
+	else if (raw.kind == RAW_NUMBER)
+		*value = f->source->numbers[raw.payload];
+	else
+		return false;
+	if (negative)
+		*value = -*value;
+	return true;
+}
+
+bool expand_plain_vector(struct parser *p, struct number *number, span *last)
+{
+	struct expand *x = p->expand;
+	struct frame *f = top_frame(x);
+	uint32_t at = f->position;
+	unsigned terms = 0;
+	if (x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count)
+		return false;
+	for (;;) {
+		if (terms == 5 || !plain_component(f, &at, &number->v[terms++]) || at == f->end)
+			return false;
+		const unsigned kind = f->tokens[at].kind;
+		if (kind == '>' && terms > 1)
+			break;
+		if (kind != ',' && kind != RAW_INTEGER && kind != RAW_NUMBER)
+			return false;
+		at += kind == ',';
+	}
+	*last = (span){ f->source->number, f->tokens[at].offset, 1, f->site };
+	x->work += at + 1 - f->position;
+	p->token_count += at + 1 - f->position;
+	f->position = at + 1;
+	x->before = *x->gate;
+	gate_note(x->gate, '>', &(const struct token_value){ .keyword = K_NONE });
+	number->terms = (uint8_t)terms;
+	number->leftover = false;
+	return true;
+}
+
 void expand_unread(struct parser *p, int token, const struct token_value *v, span where)
 {
 	struct expand *x = p->expand;

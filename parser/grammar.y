@@ -658,7 +658,7 @@ selector:
 	;
 operand:
 	  T_NUMBER { $$ = $1.number; }
-	| T_VECTOR { $$ = $1.number; }
+	| T_VECTOR %prec ENDS { $$ = $1.number; }
 	| T_COLOUR { $$ = $1.number; }
 	| axis { $$ = builtin_constant(p, $1); }
 	| '<' sums '>' { $$ = number_literal(p, $2, @$); }
@@ -1091,7 +1091,7 @@ default_item:
 
 %type <node> object object_block modifier parameter importance object_photon clip_block;
 %type <node> blob_item isosurface_item parametric_item julia_item contained mesh_item;
-%type <node> light_item light_photon group_item triangle_texture;
+%type <node> light_item light_photon group_item triangle_texture face_detail;
 %type <list> modifiers objects csg_members clip_items object_photons importance_items;
 %type <list> blob_items isosurface_items parametric_items julia_items axes face_tail;
 %type <list> light_items light_photons group_items mesh2_items;
@@ -1295,7 +1295,8 @@ julia_word:
 
 mesh_items:
 	  %empty { $$ = mesh_items_new(p); }
-	| mesh_items mesh_item { $$ = mesh_add(p, $1, $2); }
+	| mesh_items mesh_item { $$ = mesh_add($1, $2); }
+	| mesh_items face_word '{' vectors '}' { $$ = mesh_add_face(p, $1, $2, @2, @5, $4); }
 	;
 mesh_item:
 	  face_word '{' vectors face_tail '}' { $$ = mesh_face(p, $1, @$, @1, $3, $4); }
@@ -1303,13 +1304,16 @@ mesh_item:
 	;
 face_word: KW_TRIANGLE | KW_SMOOTH_TRIANGLE ;
 face_tail:
-	  %empty { $$ = list_none(); }
-	| face_tail KW_UV_VECTORS three { $$ = list_add($1, node_fit(p, $2, @2, @2, $3, "222")); }
-	| face_tail KW_TEXTURE '{' triangle_texture '}'
-		{ $$ = list_add($1, node_block(p, K_TRIANGLE_TEXTURES, @2, @2, list_one($4))); }
-	| face_tail KW_TEXTURE_LIST '{' triangle_texture oc triangle_texture oc triangle_texture '}'
-		{ $$ = list_add($1, node_block(p, K_TRIANGLE_TEXTURES, @2, @2,
-			list_add(list_add(list_one($4), $6), $8))); }
+	  face_detail { $$ = list_one($1); }
+	| face_tail face_detail { $$ = list_add($1, $2); }
+	;
+face_detail:
+	  KW_UV_VECTORS three { $$ = node_fit(p, $1, @$, @1, $2, "222"); }
+	| KW_TEXTURE '{' triangle_texture '}'
+		{ $$ = node_block(p, K_TRIANGLE_TEXTURES, @$, @1, list_one($3)); }
+	| KW_TEXTURE_LIST '{' triangle_texture oc triangle_texture oc triangle_texture '}'
+		{ $$ = node_block(p, K_TRIANGLE_TEXTURES, @$, @1,
+			list_add(list_add(list_one($3), $5), $7)); }
 	;
 triangle_texture: T_TEXTURE { $$ = node_reference(p, $1, @1); } ;
 
@@ -1346,12 +1350,14 @@ vector_list:
 	  %empty { $$ = $<doubles>0; }
 	| vector_list sum %prec ENDS { doubles_add(p, $1, $2, @2); $$ = $1; }
 	| vector_list sum ',' { doubles_add(p, $1, $2, @2); $$ = $1; }
+	| vector_list T_VECTOR ',' { doubles_add(p, $1, $2.number, @2); $$ = $1; }
 	;
 /* Faces and the texture indices behind them; one term is a texture index. */
 face_list:
 	  %empty { $$ = $<doubles>0; }
 	| face_list sum %prec ENDS { doubles_face(p, $1, $2, @2); $$ = $1; }
 	| face_list sum ',' { doubles_face(p, $1, $2, @2); $$ = $1; }
+	| face_list T_VECTOR ',' { doubles_face(p, $1, $2.number, @2); $$ = $1; }
 	;
 
 light_items:

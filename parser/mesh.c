@@ -91,58 +91,73 @@ struct mesh_items *mesh_items_new(struct parser *p)
 	return ARENA_NEW(p->arena, struct mesh_items);
 }
 
-struct node *mesh_face(struct parser *p, enum keyword keyword, span whole, span word, size_t start,
-	struct node_list tail)
+/* Writes the vectors above `start` to `out`; false: their number is wrong. */
+static bool take_face(
+	struct parser *p, enum keyword keyword, span word, size_t start, double out[18])
 {
 	struct grammar *g = p->grammar;
-	const size_t wanted = keyword == K_TRIANGLE ? 3 : 6;
-	const size_t found = g->arg_count - start;
+	const size_t wanted = keyword == K_TRIANGLE ? 3 : 6, found = g->arg_count - start;
 	const char *needs = keyword == K_TRIANGLE ? "three corners"
 						  : "three corners, each with its normal";
+	for (size_t i = 0; i < found && i < wanted; i++) {
+		double v[5];
+		number_to_vector(p, g->args[start + i].number, 3, g->args[start + i].span, v);
+		memcpy(out + 3 * i, v, 3 * sizeof *v);
+	}
+	g->arg_count = start;
 	if (found != wanted)
 		parser_error(p, word, "%s needs %s, found %zu vectors", keyword_name(keyword), needs,
 			found);
-	double *values = ARENA_ARRAY(p->arena, 3 * found, double);
-	for (size_t i = 0; i < found; i++) {
-		double v[5];
-		number_to_vector(p, g->args[start + i].number, 3, g->args[start + i].span, v);
-		memcpy(values + 3 * i, v, 3 * sizeof *v);
-	}
-	g->arg_count = start;
+	return found == wanted;
+}
+
+static size_t face_size(enum keyword keyword)
+{
+	return keyword == K_TRIANGLE ? 9 : 18;
+}
+
+struct node *mesh_face(struct parser *p, enum keyword keyword, span whole, span word, size_t start,
+	struct node_list tail)
+{
+	double *values = ARENA_ARRAY(p->arena, 18, double);
+	take_face(p, keyword, word, start, values);
 	struct node *node = node_args(p, keyword, whole, word,
-		args_push_array(p, values, 3 * found, 3, whole));
+		args_push_array(p, values, face_size(keyword), 3, whole));
 	node->children = tail.first;
 	return node;
 }
 
-struct mesh_items *mesh_add(struct parser *p, struct mesh_items *mesh, struct node *item)
+struct mesh_items *mesh_add(struct mesh_items *mesh, struct node *item)
 {
-	const bool plain = (item->keyword == K_TRIANGLE || item->keyword == K_SMOOTH_TRIANGLE) &&
-		!item->children;
-	if (plain && mesh->run_node && mesh->run_node->keyword == item->keyword) {
-		const struct arg *arg = item->args;
-		reserve(p, &mesh->run, arg->array.count);
-		memcpy(mesh->run.values + mesh->run.count, arg->array.values,
-			arg->array.count * sizeof(double));
-		mesh->run.count += arg->array.count;
-		struct arg *all = mesh->run_arg;
-		all->array.values = mesh->run.values;
-		all->array.count = mesh->run.count;
-		mesh->run_node->span = span_join(mesh->run_node->span, item->span);
-		return mesh;
-	}
 	mesh->items = list_add(mesh->items, item);
 	mesh->run_node = NULL;
-	if (plain) {
-		struct arg *arg = arena_copy(p->arena, item->args, sizeof *arg);
-		item->args = arg;
-		mesh->run_node = item;
-		mesh->run_arg = arg;
+	return mesh;
+}
+
+/* A face that goes on where the present run ends, or begins a new one. */
+struct mesh_items *mesh_add_face(struct parser *p, struct mesh_items *mesh, enum keyword keyword,
+	span word, span last, size_t start)
+{
+	double values[18];
+	if (!take_face(p, keyword, word, start, values))
+		return mesh;
+	if (!mesh->run_node || mesh->run_node->keyword != keyword) {
+		struct node *node = node_new(p, keyword, word, word);
+		mesh_add(mesh, node);
+		mesh->run_node = node;
+		mesh->run_arg = ARENA_NEW(p->arena, struct arg);
+		mesh->run_arg->kind = ARG_ARRAY;
+		mesh->run_arg->array.stride = 3;
 		mesh->run = (struct doubles){ .values = NULL };
-		reserve(p, &mesh->run, arg->array.count);
-		memcpy(mesh->run.values, arg->array.values, arg->array.count * sizeof(double));
-		mesh->run.count = arg->array.count;
+		node->args = mesh->run_arg;
+		node->arg_count = 1;
 	}
+	reserve(p, &mesh->run, face_size(keyword));
+	memcpy(mesh->run.values + mesh->run.count, values, face_size(keyword) * sizeof *values);
+	mesh->run.count += face_size(keyword);
+	mesh->run_arg->array.values = mesh->run.values;
+	mesh->run_arg->array.count = mesh->run.count;
+	mesh->run_node->span = mesh->run_arg->span = span_join(mesh->run_node->span, last);
 	return mesh;
 }
 

@@ -24,7 +24,7 @@ static bool start_run(struct parser *p, struct run *run, int start)
 	run->last = NULL;
 	run->depth = run->opening_capacity = 0;
 	run->openings = NULL;
-	run->braces = run->queue_first = run->queue_count = 0;
+	run->braces = 0;
 	run->word = run->word_before = K_NONE;
 	run->accepted = false;
 	const size_t height = g->arg_count;

@@ -81,52 +81,16 @@ static int fetch(struct parser *p, struct queued *t)
 	return t->token;
 }
 
-/* Tries to read `< 1, -2, 3 >`, the '<' being the first of the queue; fetched tokens stay in the
- * queue. True: queue[0] has become the vector. */
-static bool fold_vector(struct parser *p, struct run *run)
-{
-	struct queued *q = run->queue;
-	struct number number = { .terms = 0 };
-	unsigned n = 1;
-	int token = fetch(p, &q[n]);
-	for (;;) {
-		double sign = 1;
-		while (token == '-' && n + 2 < RUN_QUEUE) {
-			sign = -sign;
-			token = fetch(p, &q[++n]);
-		}
-		if (token != T_NUMBER || number.terms == 5 || n + 3 >= RUN_QUEUE)
-			break;
-		number.v[number.terms++] = sign * q[n].value.number.v[0];
-		token = fetch(p, &q[++n]);
-		if (token == ',')
-			token = fetch(p, &q[++n]);
-		else if (token == '>') {
-			if (number.terms < 2)
-				break;
-			q[0].token = T_VECTOR;
-			q[0].value.number = number;
-			q[0].value.symbol = NULL;
-			q[0].where = span_join(q[0].where, q[n].where);
-			run->queue_first = run->queue_count = 0;
-			return true;
-		} else if (token != T_NUMBER) {
-			break;
-		}
-	}
-	run->queue_first = 1;
-	run->queue_count = n + 1;
-	return false;
-}
-
 static struct queued *next_token(struct parser *p, struct run *run)
 {
-	if (run->queue_first < run->queue_count)
-		return &run->queue[run->queue_first++];
-	struct queued *t = &run->queue[0];
-	/* Only inside braces, where the run cannot end, may tokens be read ahead. */
-	if (fetch(p, t) == '<' && run->braces)
-		fold_vector(p, run);
+	struct queued *t = &run->present;
+	span last;
+	/* Only inside braces: elsewhere the '<' may have to be handed back. */
+	if (fetch(p, t) == '<' && run->braces &&
+		expand_plain_vector(p, &t->value.number, &last)) {
+		t->token = T_VECTOR;
+		t->where = span_join(t->where, last);
+	}
 	return t;
 }
 

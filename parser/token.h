@@ -55,6 +55,9 @@ struct token_value {
 int expand_next(struct parser *, struct token_value *, span *);
 /* Hands a token back; the next expand_next returns it again. */
 void expand_unread(struct parser *, int token, const struct token_value *, span);
+/* Behind a '<': reads `1, -2, 3 >` if nothing but numbers, signs and commas stands there, and says
+ * where the '>' is. Only a short cut. */
+bool expand_plain_vector(struct parser *, struct number *, span *last);
 /* Registers / finds / assigns identifiers for actions that need it (trace's fourth argument). */
 void symbol_assign(struct parser *, struct symbol *, const struct value *);
 /* What a symbol holds and is called. A declared-but-empty one holds VALUE_NONE. */
