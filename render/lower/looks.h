@@ -84,7 +84,8 @@ const struct node *map_node(const struct node *);
 
 /* ---- pigments: lower_pigment.c ---- */
 
-enum pigment_form { FORM_NONE, FORM_PLAIN, FORM_PATTERN, FORM_AVERAGE, FORM_UV };
+/* REFUSED: reported as not supported; what follows in the block is not looked at. */
+enum pigment_form { FORM_NONE, FORM_PLAIN, FORM_PATTERN, FORM_AVERAGE, FORM_UV, FORM_REFUSED };
 
 struct pigment_state {
 	enum pigment_form form;

@@ -105,8 +105,7 @@ static void read_item(struct lowering *l, struct normal_state *s, const struct n
 	case K_TILING:
 	case K_PAVEMENT:
 		lower_unsupported(l, item, keyword_name(item->keyword));
-		s->form = FORM_UV;
-		s->mapped = NULL;
+		s->form = FORM_REFUSED;
 		return;
 	default:
 		if (pattern_state_modify(l, &s->pattern, item))
@@ -129,7 +128,8 @@ const struct normal_state *normal_read(
 	}
 	struct normal_state *s = arena_copy(l->arena, start, sizeof *start);
 	s->built = NULL;
-	for (const struct node *item = block->children; item; item = item->next)
+	for (const struct node *item = block->children; item && s->form != FORM_REFUSED;
+		item = item->next)
 		read_item(l, s, item);
 	s->node = block;
 	if (s->form == FORM_NONE)
@@ -146,7 +146,7 @@ const struct normal_state *normal_read(
 const struct normal_state *normal_moved(
 	struct lowering *l, const struct normal_state *from, const transform *t)
 {
-	if (!from || from->form == FORM_UV)
+	if (!from || from->form == FORM_UV || from->form == FORM_REFUSED)
 		return from;
 	struct normal_state *s = arena_copy(l->arena, from, sizeof *from);
 	s->built = NULL;

@@ -54,8 +54,7 @@ static void read_item(struct lowering *l, struct patterned_state *s, const struc
 	case K_TILING:
 	case K_PAVEMENT:
 		lower_unsupported(l, item, keyword_name(item->keyword));
-		s->form = FORM_UV;
-		s->mapped = default_spec(l, item->state);
+		s->form = FORM_REFUSED;
 		return;
 	default:
 		if (pattern_state_modify(l, &s->pattern, item))
@@ -73,8 +72,11 @@ const struct texture_spec *patterned_read(struct lowering *l, const struct node 
 	struct patterned_state *s = ARENA_NEW(l->arena, struct patterned_state);
 	s->pattern = pattern_state_fresh;
 	s->node = block;
-	for (const struct node *item = block->children; item; item = item->next)
+	for (const struct node *item = block->children; item && s->form != FORM_REFUSED;
+		item = item->next)
 		read_item(l, s, item);
+	if (s->form == FORM_REFUSED)
+		return default_spec(l, block->state);
 	if (s->form != FORM_UV && !s->map) {
 		diag_error(
 			l->diag, block->span, "a texture with a pattern must have a texture_map");

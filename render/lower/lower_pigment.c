@@ -105,7 +105,7 @@ static void read_item(struct lowering *l, struct pigment_state *s, const struct 
 	case K_TILING:
 	case K_PAVEMENT:
 		lower_unsupported(l, item, keyword_name(item->keyword));
-		s->form = FORM_PLAIN;
+		s->form = FORM_REFUSED;
 		return;
 	default:
 		if (pattern_state_modify(l, &s->pattern, item))
@@ -130,7 +130,8 @@ const struct pigment_state *pigment_read(
 	struct pigment_state *s = arena_copy(l->arena, start, sizeof *start);
 	s->built = NULL;
 	s->node = block;
-	for (const struct node *item = block->children; item; item = item->next)
+	for (const struct node *item = block->children; item && s->form != FORM_REFUSED;
+		item = item->next)
 		read_item(l, s, item);
 	if (s->form == FORM_NONE && !is_default(block))
 		diag_warning(l->diag, block->word,
@@ -300,7 +301,7 @@ static const struct pigment *build(struct lowering *l, const struct pigment_stat
 {
 	if (quick_counts(l, s))
 		return plain_pigment(l, s->quick);
-	if (s->form == FORM_NONE)
+	if (s->form == FORM_NONE || s->form == FORM_REFUSED)
 		return plain_pigment(l, (colour){ 0, 0, 0, 0, 0 });
 	if (s->form == FORM_PLAIN)
 		return plain_pigment(l, s->colour);
