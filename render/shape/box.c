@@ -57,13 +57,13 @@ struct slabs {
 	double near, far;
 };
 
+/* Divides, as a plane does, so that a face in an axis-aligned plane is met at exactly its t. */
 static inline void slab(
 	double lo, double hi, double origin, double direction, double *in, double *out)
 {
-	const double inverse = 1 / direction;
-	const double a = (lo - origin) * inverse, b = (hi - origin) * inverse;
-	*in = inverse < 0 ? b : a;
-	*out = inverse < 0 ? a : b;
+	const double a = (lo - origin) / direction, b = (hi - origin) / direction;
+	*in = signbit(direction) ? b : a;
+	*out = signbit(direction) ? a : b;
 }
 
 static inline bool box_slabs(const struct box_shape *b, const ray *r, struct slabs *s)
