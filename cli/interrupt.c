@@ -2,7 +2,9 @@
 /*
  * Signals that ask for an end. While a scene is read nothing needs cleaning up
  * and nothing looks at a flag, so the program ends at once; while a picture is
- * made the handler only sets the flag that the progress callback looks at.
+ * made the handler only sets the flag that the progress callback looks at, which
+ * may take as long as one block of the picture. Who asks twice does not want to
+ * wait for that.
  */
 #include "progress.h"
 
@@ -14,9 +16,9 @@ static volatile sig_atomic_t requested, deferred;
 static void handle(int signal_number)
 {
 	(void)signal_number;
-	requested = 1;
-	if (!deferred)
+	if (!deferred || requested)
 		_exit(2);
+	requested = 1;
 }
 
 void interrupt_init(void)

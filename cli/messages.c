@@ -81,8 +81,6 @@ void messages_finish(struct messages *m)
 	for (int i = 0; i < STREAM_COUNT; i++)
 		if (m->files[i])
 			fclose(m->files[i]);
-	if (m->hidden_error && !m->options->quiet)
-		fputs("lambert: failed; the messages are switched off by an option\n", stderr);
 }
 
 /* Whether the console shows a stream; a setting for all of them has the last word. */
@@ -243,9 +241,8 @@ void messages_take(void *user, const struct lambert_message *message)
 		return;
 	}
 	const bool is_muted = m->options->quiet && stream != STREAM_FATAL;
-	if (!on_console(m, stream))
-		m->hidden_error = m->hidden_error || message->severity == LAMBERT_ERROR;
-	else if (!is_muted) {
+	/* What is wrong is always said: an exit status alone helps nobody. */
+	if (stream == STREAM_FATAL || (on_console(m, stream) && !is_muted)) {
 		clear_line(m);
 		print_message(stderr, message, m->colour);
 	}

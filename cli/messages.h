@@ -15,7 +15,7 @@ struct messages {
 	const struct options *options;
 	FILE *files[STREAM_COUNT]; /* NULL: none */
 	FILE *json;		   /* messages as JSON lines go here instead; NULL: nowhere */
-	bool colour, hidden_error;
+	bool colour;
 	enum stream last; /* of the last message: its notes go there too */
 	bool line_open;	  /* a progress bar stands on the console's current line */
 	unsigned errors, warnings;

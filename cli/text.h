@@ -19,7 +19,7 @@ void text_pool_finish(struct text_pool *);
 void *text_alloc(struct text_pool *, size_t size);
 char *text_copy(struct text_pool *, const char *text, size_t length);
 char *text_printf(struct text_pool *, const char *format, ...)
-	__attribute__((format(printf, 2, 3)));
+	__attribute__((format(printf, 2, 3), nonnull(2)));
 
 /* A growing list of strings; zeroed, it is empty. */
 struct text_list {
