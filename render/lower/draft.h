@@ -71,6 +71,8 @@ void draft_transform(struct lowering *, struct draft *, const transform *);
 /* lower_modifiers.c: the items of an object statement that are not objects. */
 void draft_modify(struct lowering *, struct draft *, const struct node *item);
 void draft_invert(struct draft *);
+/* Whether the item is a flag word of the draft's shape. */
+bool draft_takes_flag(const struct draft *, const struct node *item);
 
 /* lower_light.c */
 void light_defaults(struct light *);

@@ -192,7 +192,9 @@ static bool set_flag(struct lowering *l, struct draft *d, const struct node *ite
 	case K_SPLIT_UNION:
 		d->split_union = lower_float(l, item, 0, "a switch") != 0;
 		return true;
-	case K_STURM:
+	case K_STURM: /* of a copy; what it asks for is always done */
+		if (draft_takes_flag(d, item))
+			return true;
 		diag_error(l->diag, item->word, "sturm does not apply to %s",
 			keyword_name(d->node->keyword));
 		return true;

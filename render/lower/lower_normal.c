@@ -132,10 +132,6 @@ const struct normal_state *normal_read(
 		item = item->next)
 		read_item(l, s, item);
 	s->node = block;
-	if (s->form == FORM_NONE)
-		diag_error(l->diag, block->span,
-			"no normal type given: a normal begins with its "
-			"pattern");
 	if (s->form == FORM_AVERAGE && !s->map)
 		diag_error(l->diag, block->span, "average needs a normal_map");
 	return s;
@@ -211,16 +207,20 @@ static const struct normal *build(struct lowering *l, const struct normal_state 
 	return n;
 }
 
-/* States with errors build nothing. */
-static bool is_complete(const struct normal_state *s)
+/* States with errors build nothing. A #default may prepare a normal without a pattern, so that is an
+ * error only where it is used. */
+static bool is_complete(struct lowering *l, const struct normal_state *s)
 {
+	if (s->form == FORM_NONE)
+		diag_error(l->diag, s->node->span,
+			"no normal type given: a normal begins with its pattern");
 	return (s->form == FORM_UV && s->mapped) || (s->form == FORM_AVERAGE && s->map) ||
 	       s->form == FORM_PATTERN;
 }
 
 const struct normal *normal_build(struct lowering *l, const struct normal_state *s)
 {
-	if (!s || l->options->quality < QUALITY_NORMALS || !is_complete(s))
+	if (!s || l->options->quality < QUALITY_NORMALS || !is_complete(l, s))
 		return NULL;
 	struct normal_state *owned = (struct normal_state *)(uintptr_t)s;
 	if (!s->built)

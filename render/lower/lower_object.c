@@ -200,6 +200,11 @@ static bool is_flag_of(const struct shape_class *shape, const struct node *item)
 	return false;
 }
 
+bool draft_takes_flag(const struct draft *d, const struct node *item)
+{
+	return d->kind == DRAFT_SHAPE && is_flag_of(d->shape, item);
+}
+
 static struct draft *draft_primitive(
 	struct lowering *l, const struct node *n, const struct shape_class *shape)
 {

@@ -118,12 +118,6 @@ static void read_item(struct lowering *l, struct pigment_state *s, const struct 
 	}
 }
 
-/* Whether the block is part of a #default, where a pigment need not be complete. */
-static bool is_default(const struct node *block)
-{
-	return block->state && block->state->defaults && block->state->defaults->node == block;
-}
-
 const struct pigment_state *pigment_read(
 	struct lowering *l, const struct node *block, const struct pigment_state *start)
 {
@@ -133,9 +127,6 @@ const struct pigment_state *pigment_read(
 	for (const struct node *item = block->children; item && s->form != FORM_REFUSED;
 		item = item->next)
 		read_item(l, s, item);
-	if (s->form == FORM_NONE && !is_default(block))
-		diag_warning(l->diag, block->word,
-			"pigment type unspecified: a pigment begins with its colour or pattern");
 	if (s->form == FORM_AVERAGE && (!s->map || !s->map->items)) {
 		diag_error(l->diag, block->span, "average needs a pigment_map");
 		s->form = FORM_PLAIN;
@@ -301,6 +292,9 @@ static const struct pigment *build(struct lowering *l, const struct pigment_stat
 {
 	if (quick_counts(l, s))
 		return plain_pigment(l, s->quick);
+	if (s->form == FORM_NONE && s->node)
+		diag_warning(l->diag, s->node->word,
+			"pigment type unspecified: a pigment begins with its colour or pattern");
 	if (s->form == FORM_NONE || s->form == FORM_REFUSED)
 		return plain_pigment(l, (colour){ 0, 0, 0, 0, 0 });
 	if (s->form == FORM_PLAIN)
