@@ -452,7 +452,7 @@ static int at_end(struct parser *p, span *where)
 	return 0;
 }
 
-static int fetch(struct parser *p, struct token_value *v, span *where)
+static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 {
 	struct expand *x = p->expand;
 	struct frame *f = top_frame(x);
@@ -508,6 +508,21 @@ static int fetch(struct parser *p, struct token_value *v, span *where)
 		raw_take(p);
 		return (int)raw.kind;
 	}
+}
+
+/* Directives and macro calls read their own parts by the same way: `#if #if #if …` is a recursion
+ * that must end. */
+static int fetch(struct parser *p, struct token_value *v, span *where)
+{
+	struct expand *x = p->expand;
+	if (x->nesting == MAX_NESTING) {
+		parser_error(p, raw_span(p), "directives and macro calls are nested too deeply");
+		return 0;
+	}
+	x->nesting++;
+	const int token = fetch_raw(p, v, where);
+	x->nesting--;
+	return token;
 }
 
 /* Takes back the token handed back last, unless it belongs behind the text being read now. */

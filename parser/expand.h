@@ -15,6 +15,7 @@ enum {
 	MAX_FILES = 32,
 	MAX_PARAMETERS = 55,
 	MAX_UNREAD = 16,
+	MAX_NESTING = 1000,
 };
 
 #define EPSILON 1e-10 /* the one tolerance of comparisons in the language */
@@ -107,7 +108,7 @@ struct expand {
 	struct gate before; /* the gate as it was before the latest token */
 	struct unread unread[MAX_UNREAD];
 	unsigned unread_count;
-	unsigned nesting; /* of nested parses */
+	unsigned nesting; /* of fetches within fetches */
 	size_t work;	  /* raw tokens read */
 	struct text_line debug_line;
 	bool has_written;	     /* the scene wrote a file, which it may include later */

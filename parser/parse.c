@@ -28,6 +28,8 @@ void parser_error(struct parser *p, span where, const char *format, ...)
 	vsnprintf(text, sizeof text, format, args);
 	va_end(args);
 	p->failed = true;
+	if (where.source == 0 && p->expand->frame_count)
+		where = raw_span(p); /* the place reached is better than none */
 	diag_error(p->diag, where, "%s", text);
 }
 
