@@ -15,23 +15,20 @@ struct grid {
 	struct worker *worker;
 	const struct light *light;
 	const struct point *at;
-	vec3 to_centre;
+	struct area_axes axes;
 	rgb colour; /* of the light without shadow */
 };
 
-/* The light's axes seen from the point: square to the direction with orient. */
-static void grid_axes(const struct light *light, vec3 to_centre, vec3 *axis_u, vec3 *axis_v)
+struct area_axes area_light_axes(const struct light *light, vec3 to_centre)
 {
-	*axis_u = light->area_u;
-	*axis_v = light->area_v;
 	if (!light->orient)
-		return;
+		return (struct area_axes){ light->area_u, light->area_v };
 	const double size = vec_length(light->area_u);
 	const bool along_z = fabs(fabs(to_centre.z) - 1) < 0.01;
 	const vec3 helper = along_z ? vec(0, 1, 0) : vec(0, 0, 1);
 	const vec3 u = vec_normalize(vec_cross(to_centre, helper));
-	*axis_u = vec_scale(u, size);
-	*axis_v = vec_scale(vec_normalize(vec_cross(to_centre, *axis_u)), size);
+	const vec3 v = vec_normalize(vec_cross(to_centre, u));
+	return (struct area_axes){ vec_scale(u, size), vec_scale(v, size) };
 }
 
 static double grid_factor(double j, int count)
@@ -39,7 +36,8 @@ static double grid_factor(double j, int count)
 	return count > 1 ? j / (count - 1) - 0.5 : 0;
 }
 
-vec3 area_light_offset(struct worker *w, const struct light *light, vec3 to_centre, int u, int v)
+vec3 area_light_point(
+	struct worker *w, const struct light *light, const struct area_axes *axes, int u, int v)
 {
 	double ju = u, jv = v;
 	if (light->jitter) {
@@ -56,9 +54,7 @@ vec3 area_light_offset(struct worker *w, const struct light *light, vec3 to_cent
 		a *= m;
 		b *= m;
 	}
-	vec3 axis_u, axis_v;
-	grid_axes(light, to_centre, &axis_u, &axis_v);
-	return vec_add(vec_scale(axis_u, a), vec_scale(axis_v, b));
+	return vec_mad(vec_mad(light->location, a, axes->u), b, axes->v);
 }
 
 /* The shadowed light of one grid point, found once. */
@@ -68,8 +64,7 @@ static rgb grid_point(const struct grid *g, int u, int v)
 	const struct light *light = g->light;
 	struct grid_sample *memo = &w->grid[(size_t)v * (size_t)light->area_count_u + (size_t)u];
 	if (!memo->known) {
-		const vec3 centre =
-			vec_add(light->location, area_light_offset(w, light, g->to_centre, u, v));
+		const vec3 centre = area_light_point(w, light, &g->axes, u, v);
 		vec3 direction;
 		const double distance =
 			light_direction(light, centre, g->at->surface.point, &direction);
@@ -105,7 +100,7 @@ static rgb grid_mean(const struct grid *g, int u1, int v1, int u2, int v2, int l
 rgb area_light_filter(struct worker *w, const struct light *light, const struct point *at,
 	vec3 direction, rgb arriving)
 {
-	const struct grid g = { w, light, at, direction, arriving };
+	const struct grid g = { w, light, at, area_light_axes(light, direction), arriving };
 	const size_t count = (size_t)light->area_count_u * (size_t)light->area_count_v;
 	if (w->grid_room < count) {
 		w->grid_room = count;

@@ -153,12 +153,12 @@ static rgb light_grid(struct worker *w, const struct point *at, const struct coa
 {
 	const int count_u = light->area_count_u, count_v = light->area_count_v;
 	const vec3 p = at->surface.point;
+	const struct area_axes axes = area_light_axes(light, in->direction);
 	const rgb share = rgb_scale(in->colour, 1.0 / (count_u * count_v));
 	rgb sum = rgb_grey(0);
 	for (int v = 0; v < count_v; v++) {
 		for (int u = 0; u < count_u; u++) {
-			const vec3 centre = vec_add(
-				light->location, area_light_offset(w, light, in->direction, u, v));
+			const vec3 centre = area_light_point(w, light, &axes, u, v);
 			vec3 direction;
 			struct response response;
 			const double distance = light_direction(light, centre, p, &direction);

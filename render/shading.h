@@ -190,8 +190,14 @@ rgb shadow_filter(struct worker *, const struct light *, const struct point *, v
 /* The same, averaged over an area light. */
 rgb area_light_filter(
 	struct worker *, const struct light *, const struct point *, vec3 direction, rgb colour);
-/* Offset of grid point (u, v) from the light's location, with its own jitter. */
-vec3 area_light_offset(struct worker *, const struct light *, vec3 to_centre, int u, int v);
+/* The axes of the light's grid seen from a point: square to the direction with `orient`. */
+struct area_axes {
+	vec3 u, v;
+};
+struct area_axes area_light_axes(const struct light *, vec3 to_centre);
+/* Where the light of grid point (u, v) stands, with its own jitter. */
+vec3 area_light_point(
+	struct worker *, const struct light *, const struct area_axes *, int u, int v);
 
 /* ---- secondary.c ---- */
 

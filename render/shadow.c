@@ -6,6 +6,8 @@
  */
 #include "render/shading.h"
 
+#include <float.h>
+
 /* The share of light one plain texture lets through. */
 static rgb layers_tint(
 	const struct worker *w, struct surface *s, const struct texture_part *part, double caustics)
@@ -70,6 +72,12 @@ static rgb fogged(struct worker *w, const struct light *light, ray r, double fro
 	return rgb_mul(arriving, factor);
 }
 
+/* A number a rounding error above t > 0. */
+static double just_above(double t)
+{
+	return t * (1 + DBL_EPSILON);
+}
+
 /* Follows the ray through everything that is not opaque, up to `limit`. */
 static rgb tinted(struct worker *w, const struct light *light, const struct point *at, ray r,
 	double limit, double distance, rgb arriving)
@@ -78,7 +86,7 @@ static rgb tinted(struct worker *w, const struct light *light, const struct poin
 	double from = 0;
 	struct hit hit;
 	while (w->scene->has_tinted_shadows && !rgb_is_zero(arriving) &&
-		accel_nearest(w->scene->accel, &r, nextafter(from + T_SHADOW, INFINITY), limit,
+		accel_nearest(w->scene->accel, &r, just_above(from + T_SHADOW), limit,
 			RAY_SHADOW_TINTED, &hit)) {
 		arriving = rgb_mul(arriving, crossing_tint(w, &hit, r, hit.t - from, &inside));
 		arriving = fogged(w, light, r, from, hit.t, &inside, arriving);
