@@ -34,6 +34,7 @@
 
 %union {
 	enum keyword keyword;
+	int token;
 	struct number number;
 	struct number_value named;
 	struct text_value text;
@@ -608,7 +609,8 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %left '.'
 
 %type <number> sum product signed component operand full logic relation
-%type <keyword> relop selector float_function list_function extent_function axis
+%type <token> relop
+%type <keyword> selector float_function list_function extent_function axis
 %type <keyword> rgb_word part_word
 %type <real> float
 %type <start> one two three four sums vectors entry_values

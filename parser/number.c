@@ -71,6 +71,11 @@ static void promote(struct number *n, unsigned terms)
 	n->leftover = false;
 }
 
+static bool is_arithmetic(int op)
+{
+	return op == '+' || op == '-' || op == '*' || op == '/';
+}
+
 static double compute(int op, double a, double b, bool *zero)
 {
 	switch (op) {
@@ -94,9 +99,9 @@ static double compute(int op, double a, double b, bool *zero)
 	case T_NE:
 		return fabs(a - b) > TOLERANCE;
 	case T_LE:
-		return a <= b || fabs(a - b) <= TOLERANCE;
+		return a <= b || !(fabs(a - b) > TOLERANCE); /* so NaN is, too */
 	case T_GE:
-		return a >= b || fabs(a - b) <= TOLERANCE;
+		return a >= b || !(fabs(a - b) > TOLERANCE);
 	case '&':
 		return fabs(a) > TOLERANCE && fabs(b) > TOLERANCE;
 	default:
@@ -110,7 +115,10 @@ struct number number_binary(struct parser *p, int op, struct number a, struct nu
 	if (a.terms != b.terms) {
 		const unsigned terms = a.terms > b.terms ? a.terms : b.terms;
 		promote(&a, terms);
-		promote(&b, terms);
+		if (b.leftover && !is_arithmetic(op))
+			b.terms = (uint8_t)terms; /* relations do not promote their right side */
+		else
+			promote(&b, terms);
 	}
 	for (unsigned i = 0; i < a.terms; i++)
 		a.v[i] = compute(op, a.v[i], b.v[i], &zero);
@@ -151,8 +159,12 @@ struct number number_select(
 	const unsigned i = component_index(component);
 	const bool is_float = n.terms == 1;
 	const unsigned needed = i == 5 ? 3 : i + 1;
-	if (is_float && i == 0)
-		return number_float(n.v[0]);
+	if (is_float && i == 0) {
+		for (unsigned k = 1; k < 5; k++)
+			n.v[k] = n.v[0];
+		n.leftover = true;
+		return n;
+	}
 	if (needed > n.terms) {
 		parser_error(p, where, "a value of %u component%s has no .%s", n.terms,
 			is_float ? "" : "s", keyword_name(component));

@@ -169,7 +169,7 @@ const char *text_vstr(struct parser *p, double count, struct number value, const
 	n = n < 2 ? 2 : n > 5 ? 5 : n;
 	const char *out = "";
 	for (int i = 0; i < n; i++) {
-		const double v = i < value.terms ? value.v[i] : 0;
+		const double v = i < value.terms || value.leftover ? value.v[i] : 0;
 		if (i)
 			out = join(p, out, between);
 		out = join(p, out, format_float(p, v, length, precision, false));
