@@ -3,6 +3,8 @@
  * Writes the constant tables of noise and cellular patterns as a C file; run by
  * the build. Every table follows from a short rule given at its function.
  */
+#include "render/hash.h"
+
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -16,6 +18,15 @@ static unsigned lcg(uint32_t *state)
 {
 	*state = 1812433253u * *state + 12345u;
 	return (*state >> 16) & 0x7fff;
+}
+
+/* The low bytes of hash_table. */
+static void write_hash(FILE *out)
+{
+	fputs("const uint8_t hash_low[4096] = {", out);
+	for (unsigned i = 0; i < 4096; i++)
+		fprintf(out, "%s%u,", i % 16 ? "" : "\n\t", hash_table[i] & 0xffu);
+	fputs("\n};\n\n", out);
 }
 
 /* CRC-16 with the reflected polynomial 0xA001. */
@@ -118,6 +129,7 @@ int main(int argc, char **argv)
 		return 1;
 	}
 	fputs("/* Written by generate_tables.c. */\n#include \"render/texture/noise.h\"\n\n", out);
+	write_hash(out);
 	write_reals(out);
 	write_gradients(out);
 	write_uniforms(out);

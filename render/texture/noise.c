@@ -6,9 +6,10 @@
  * random place in one table of reals, the other components of vector noise four
  * places further on.
  *
- * The four coefficients of a corner are four lanes; weights times offsets are
- * computed once and serve all components. Lanes are added at the very end in a
- * fixed order, so every instruction set gives the same bits.
+ * The four coefficients of a corner (of 1, dx, dy, dz) are four lanes. Weights and
+ * offsets of an axis depend only on the side of the cell along that axis, so the
+ * corners are summed along z, then y, then x, each with two factors a side. Lanes are
+ * added at the very end in a fixed order: every instruction set gives the same bits.
  */
 #include "render/texture/noise.h"
 
@@ -21,8 +22,8 @@ typedef double lanes __attribute__((vector_size(32), aligned(32)));
 typedef double loose_lanes __attribute__((vector_size(32), aligned(8), may_alias));
 
 struct cell {
-	const double *start[8]; /* coefficients of each corner */
-	lanes weight[8];	/* blend weight times (1/2, dx, dy, dz) */
+	const double *start[8]; /* coefficients of each corner; z changes fastest, then y */
+	lanes x[2], y[2], z[2]; /* factors of the two sides along each axis */
 };
 
 /* Splits a coordinate into lattice index and offset. */
@@ -49,23 +50,38 @@ static inline void cell_find(vec3 p, struct cell *cell)
 	const unsigned h[4] = { hash_table[h0 ^ y], hash_table[h0 ^ y1], hash_table[h1 ^ y],
 		hash_table[h1 ^ y1] };
 	const double sx = smooth(fx), sy = smooth(fy), sz = smooth(fz);
-	const double wxy[4] = { (1 - sx) * (1 - sy), (1 - sx) * sy, sx * (1 - sy), sx * sy };
-	const double dx[2] = { fx, fx - 1 }, dy[2] = { fy, fy - 1 };
+	cell->x[0] = (1 - sx) * (lanes){ 0.5, fx, 1, 1 };
+	cell->x[1] = sx * (lanes){ 0.5, fx - 1, 1, 1 };
+	cell->y[0] = (1 - sy) * (lanes){ 1, 1, fy, 1 };
+	cell->y[1] = sy * (lanes){ 1, 1, fy - 1, 1 };
+	cell->z[0] = (1 - sz) * (lanes){ 1, 1, 1, fz };
+	cell->z[1] = sz * (lanes){ 1, 1, 1, fz - 1 };
 	for (int i = 0; i < 4; i++) {
-		cell->start[2 * i] = noise_reals + (hash_table[h[i] ^ z] & 0xff);
-		cell->start[2 * i + 1] = noise_reals + (hash_table[h[i] ^ z1] & 0xff);
-		const double w0 = wxy[i] * (1 - sz), w1 = wxy[i] * sz;
-		cell->weight[2 * i] = w0 * (lanes){ 0.5, dx[i >> 1], dy[i & 1], fz };
-		cell->weight[2 * i + 1] = w1 * (lanes){ 0.5, dx[i >> 1], dy[i & 1], fz - 1 };
+		cell->start[2 * i] = noise_reals + hash_low[h[i] ^ z];
+		cell->start[2 * i + 1] = noise_reals + hash_low[h[i] ^ z1];
 	}
+}
+
+/* The coefficients of one corner. */
+static inline lanes corner(const struct cell *cell, int i, int offset)
+{
+	return *(const loose_lanes *)(cell->start[i] + offset);
 }
 
 /* The blend of the component whose coefficients begin `offset` places on. */
 static inline double cell_blend(const struct cell *cell, int offset)
 {
-	lanes sum = cell->weight[0] * *(const loose_lanes *)(cell->start[0] + offset);
-	for (int i = 1; i < 8; i++)
-		sum += cell->weight[i] * *(const loose_lanes *)(cell->start[i] + offset);
+	const lanes z00 =
+		cell->z[0] * corner(cell, 0, offset) + cell->z[1] * corner(cell, 1, offset);
+	const lanes z01 =
+		cell->z[0] * corner(cell, 2, offset) + cell->z[1] * corner(cell, 3, offset);
+	const lanes z10 =
+		cell->z[0] * corner(cell, 4, offset) + cell->z[1] * corner(cell, 5, offset);
+	const lanes z11 =
+		cell->z[0] * corner(cell, 6, offset) + cell->z[1] * corner(cell, 7, offset);
+	const lanes y0 = cell->y[0] * z00 + cell->y[1] * z01;
+	const lanes y1 = cell->y[0] * z10 + cell->y[1] * z11;
+	const lanes sum = cell->x[0] * y0 + cell->x[1] * y1;
 	return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 

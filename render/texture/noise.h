@@ -38,6 +38,7 @@ const struct wave_sources *wave_sources_create(struct arena *, size_t count);
 
 /* Constant tables, written by generate_tables.c. */
 extern const double noise_reals[267];
+extern const uint8_t hash_low[4096]; /* low bytes of hash_table */
 extern const double noise_gradients[2048][3];
 extern const uint16_t noise_permutation[2048];
 extern const double cell_uniforms[4098]; /* 0 to 1, by hash of a cell plus 0, 1, 2 */
