@@ -32,19 +32,20 @@ struct block *block_push(
 	return b;
 }
 
-/* Looks through a text for the next part of a block that began in a file included by it. */
+/* Looks through the rest of a text for the next part of a block that began before. */
 static bool find_loose_part(struct frame *f)
 {
 	for (; f->position < f->end; f->position++) {
 		if (f->tokens[f->position].kind != RAW_DIRECTIVE)
 			continue;
 		const struct directive *d = &f->source->directives[f->tokens[f->position].payload];
-		if (d->end != NO_TOKEN && d->keyword != K_END && !d->has_opener)
-			f->position = d->end; /* a whole block */
-		else if (!d->has_opener &&
-			 (d->keyword == K_ELSE || d->keyword == K_ELSEIF || d->keyword == K_CASE ||
-				 d->keyword == K_RANGE || d->keyword == K_END))
+		if (directive_continues(d->keyword))
 			return true;
+		if (!directive_opens(d->keyword))
+			continue;
+		if (d->end == NO_TOKEN)
+			return false;
+		f->position = d->end; /* over a whole block */
 	}
 	return false;
 }
@@ -56,12 +57,15 @@ static bool report_unclosed(struct parser *p, span opened)
 	return false;
 }
 
-/* Moves to the next part when that is not in the text of the present one. */
-static bool find_in_outer_text(struct parser *p, span opened)
+/* Moves to the next part when the block began in another text than the present one: further down,
+ * or in the texts that include this one. */
+static bool find_unlinked_part(struct parser *p, span opened)
 {
 	struct expand *x = p->expand;
 	for (;;) {
 		struct frame *f = top_frame(x);
+		if (find_loose_part(f))
+			return true;
 		f->position = f->end;
 		if (f->end && f->tokens[f->end - 1].kind == RAW_ERROR)
 			f->position--;
@@ -70,8 +74,6 @@ static bool find_in_outer_text(struct parser *p, span opened)
 		x->file_count--;
 		symbols_pop(&x->symbols);
 		x->frame_count--;
-		if (find_loose_part(top_frame(x)))
-			return true;
 	}
 }
 
@@ -81,7 +83,7 @@ const struct directive *block_skip_to_part(
 	struct frame *f = top_frame(p->expand);
 	if (part->next != NO_TOKEN)
 		f->position = part->next;
-	else if (!find_in_outer_text(p, opened))
+	else if (!find_unlinked_part(p, opened))
 		return NULL;
 	f = top_frame(p->expand);
 	const uint32_t index = f->tokens[f->position].payload;

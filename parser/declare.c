@@ -12,6 +12,7 @@ struct target {
 	struct value *slot;  /* NULL: the value is lost, see find_element */
 	struct array *array; /* the slot is an element of it; NULL: no element */
 	bool is_new;
+	bool kept; /* the symbol was already */
 	span where;
 };
 
@@ -59,6 +60,7 @@ static bool find_target(struct parser *p, bool local, struct target *t)
 		t->is_new = true;
 	}
 	t->slot = t->symbol->slot;
+	t->kept = t->symbol->kept;
 	t->symbol->kept = true; /* the table may go before the value is complete */
 	if (t->slot->kind == VALUE_MACRO) {
 		parser_error(p, t->where, "'%s' is a macro: #undef it first", t->symbol->text);
@@ -161,7 +163,7 @@ bool declare_run(struct parser *p, bool local, span where)
 	/* The old value stays readable: #declare A = A + 1; */
 	if (!read_value(p, &t, where))
 		return false;
-	t.symbol->kept = false;
+	t.symbol->kept = t.kept;
 	return true;
 }
 

@@ -153,6 +153,10 @@ const char *token_describe(struct parser *, int token, const struct token_value 
 /* Text of a string literal: escapes processed, charset applied. */
 const char *string_literal(struct parser *, const char *text, size_t length, span, bool escapes);
 
+/* A string as one byte per code, for files and messages: codes above 127 become spaces, below version
+ * 3.5 their lower byte. */
+const char *string_bytes(struct parser *, const char *text);
+
 /* -- the files of the directives: each returns false after an error -- */
 
 /* directive.c: the directive at the present position, which is stepped over. */

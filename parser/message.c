@@ -99,6 +99,7 @@ bool message_run(struct parser *p, enum keyword stream, span where)
 	gate_close(p);
 	if (!ok)
 		return false;
+	text = string_bytes(p, text);
 	switch (stream) {
 	case K_WARNING:
 		diag_warning(p->diag, where, "%s", one_line(p, text));

@@ -131,13 +131,13 @@ bool is_directive(enum keyword keyword)
 	}
 }
 
-static bool opens_block(enum keyword keyword)
+bool directive_opens(enum keyword keyword)
 {
 	return keyword == K_IF || keyword == K_IFDEF || keyword == K_IFNDEF || keyword == K_WHILE ||
 	       keyword == K_FOR || keyword == K_SWITCH || keyword == K_MACRO;
 }
 
-static bool continues_block(enum keyword keyword)
+bool directive_continues(enum keyword keyword)
 {
 	return keyword == K_ELSE || keyword == K_ELSEIF || keyword == K_CASE ||
 	       keyword == K_RANGE || keyword == K_END;
@@ -163,16 +163,15 @@ void source_link(struct source *s)
 	uint32_t count = 0, room = 0;
 	for (uint32_t i = 0; i < s->directive_count; i++) {
 		struct directive *d = &s->directives[i];
-		if (opens_block(d->keyword)) {
+		if (directive_opens(d->keyword)) {
 			if (count == room) {
 				room = grown(room, 64);
 				open = memory_grow(open, room, sizeof *open);
 			}
 			open[count++] = (struct open_block){ i, i };
-		} else if (continues_block(d->keyword) && count) {
+		} else if (directive_continues(d->keyword) && count) {
 			s->directives[open[count - 1].latest].next = d->token;
 			open[count - 1].latest = i;
-			d->has_opener = true;
 			if (d->keyword == K_END)
 				close_block(s, open[--count], d->token);
 		}

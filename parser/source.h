@@ -42,7 +42,6 @@ struct directive {
 	uint32_t length; /* in bytes, from # to the end of the word */
 	uint32_t next;	 /* token of the next part of the block: #else, #case …, #end */
 	uint32_t end;	 /* token of the matching #end */
-	bool has_opener; /* it is a part of a block that begins in this text */
 };
 
 struct source {
@@ -88,5 +87,8 @@ void source_push_directive(struct source *, enum keyword, uint32_t offset, uint3
 void source_link(struct source *);
 /* Whether a word after # is a directive. */
 bool is_directive(enum keyword);
+/* Whether a directive begins a block; is a further part of one, #end included. */
+bool directive_opens(enum keyword);
+bool directive_continues(enum keyword);
 
 #endif

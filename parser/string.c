@@ -127,3 +127,18 @@ const char *string_literal(
 	*out = 0;
 	return start;
 }
+
+const char *string_bytes(struct parser *p, const char *text)
+{
+	char *const start = arena_string(p->arena, text, strlen(text)), *out = start;
+	const char *end = text + strlen(text);
+	while (text < end) {
+		uint32_t code;
+		text = take_utf8(text, end, &code);
+		if (code > 127 && p->state->version >= 350)
+			code = ' ';
+		*out++ = (char)(code & 0xFF);
+	}
+	*out = 0;
+	return start;
+}

@@ -455,23 +455,6 @@ static void write_number(FILE *out, const struct format *format, const struct nu
 	fputs("> ", out);
 }
 
-/* One byte per code: those above 127 become spaces, below version 3.5 their lower byte. */
-static void write_string(struct parser *p, FILE *out, const char *text)
-{
-	while (*text) {
-		const unsigned char lead = (unsigned char)*text++;
-		uint32_t code = lead;
-		if (lead >= 0xC0) {
-			code = lead & (lead >= 0xE0 ? 0x0F : 0x1F);
-			while (((unsigned char)*text & 0xC0) == 0x80)
-				code = code << 6 | ((unsigned char)*text++ & 0x3F);
-		}
-		if (code > 127 && p->state->version >= 350)
-			code = ' ';
-		putc((int)(code & 0xFF), out);
-	}
-}
-
 static bool starts_string(int token)
 {
 	return token == T_STRING || token == KW_STR || token == KW_VSTR || token == KW_CONCAT ||
@@ -485,7 +468,7 @@ static bool write_item(struct parser *p, FILE *out, int token, const struct form
 		const char *text;
 		if (!parse_string(p, &text, false))
 			return false;
-		write_string(p, out, text);
+		fputs(string_bytes(p, text), out);
 		return true;
 	}
 	struct number number;
