@@ -128,6 +128,8 @@ static void settle(struct parser *p)
 	if (!p->state->version_set)
 		diag_warning(p->diag, NO_SPAN,
 			"the scene has no #version: some things follow the rules of 3.6.2");
+	if (p->state->noise_generator == 0)
+		parser_change_state(p)->noise_generator = p->state->version >= 350 ? 2 : 1;
 	if (p->state->version < 350)
 		parser_change_state(p)->version = 350;
 }
