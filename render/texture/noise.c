@@ -63,22 +63,22 @@ static inline void cell_find(vec3 p, struct cell *cell)
 }
 
 /* The coefficients of one corner. */
-static inline lanes corner(const struct cell *cell, int i, int offset)
+static inline const loose_lanes *corner(const struct cell *cell, int i, int offset)
 {
-	return *(const loose_lanes *)(cell->start[i] + offset);
+	return (const loose_lanes *)(cell->start[i] + offset);
 }
 
 /* The blend of the component whose coefficients begin `offset` places on. */
 static inline double cell_blend(const struct cell *cell, int offset)
 {
 	const lanes z00 =
-		cell->z[0] * corner(cell, 0, offset) + cell->z[1] * corner(cell, 1, offset);
+		cell->z[0] * *corner(cell, 0, offset) + cell->z[1] * *corner(cell, 1, offset);
 	const lanes z01 =
-		cell->z[0] * corner(cell, 2, offset) + cell->z[1] * corner(cell, 3, offset);
+		cell->z[0] * *corner(cell, 2, offset) + cell->z[1] * *corner(cell, 3, offset);
 	const lanes z10 =
-		cell->z[0] * corner(cell, 4, offset) + cell->z[1] * corner(cell, 5, offset);
+		cell->z[0] * *corner(cell, 4, offset) + cell->z[1] * *corner(cell, 5, offset);
 	const lanes z11 =
-		cell->z[0] * corner(cell, 6, offset) + cell->z[1] * corner(cell, 7, offset);
+		cell->z[0] * *corner(cell, 6, offset) + cell->z[1] * *corner(cell, 7, offset);
 	const lanes y0 = cell->y[0] * z00 + cell->y[1] * z01;
 	const lanes y1 = cell->y[0] * z10 + cell->y[1] * z11;
 	const lanes sum = cell->x[0] * y0 + cell->x[1] * y1;
