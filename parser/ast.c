@@ -79,8 +79,7 @@ struct node *node_new(struct parser *p, enum keyword keyword, span whole, span w
 	return node;
 }
 
-struct node *node_args(
-	struct parser *p, enum keyword keyword, span whole, span word, size_t start)
+struct node *node_args(struct parser *p, enum keyword keyword, span whole, span word, size_t start)
 {
 	struct grammar *g = p->grammar;
 	struct node *node = node_new(p, keyword, whole, word);
@@ -196,8 +195,8 @@ struct node *node_fit(struct parser *p, enum keyword keyword, span whole, span w
 		parser_error(p, g->args[start + i].span, "%s takes no further value",
 			keyword_name(keyword));
 	else if (count < least)
-		parser_error(p, word, "%s needs %u value%s, found %zu", keyword_name(keyword), least,
-			least == 1 ? "" : "s", count);
+		parser_error(p, word, "%s needs %u value%s, found %zu", keyword_name(keyword),
+			least, least == 1 ? "" : "s", count);
 	return node_args(p, keyword, whole, word, start);
 }
 

@@ -105,7 +105,7 @@ static void print_number(const struct printer *j, const struct number *n)
 
 /* -- Functions ---------------------------------------------------------------------------- */
 
-static const char *expr_name_of(const struct expr *e)
+static const char *operator_name(const struct expr *e)
 {
 	static const char *const names[] = {
 		[EXPR_NEGATE] = "negate",
@@ -121,18 +121,30 @@ static const char *expr_name_of(const struct expr *e)
 		[EXPR_GREATER] = ">",
 		[EXPR_AND] = "&",
 		[EXPR_OR] = "|",
+		[EXPR_FUNCTION] = "call",
 		[EXPR_SUM] = "sum",
 		[EXPR_PROD] = "prod",
 	};
-	if (e->kind == EXPR_CALL)
-		return keyword_name(e->builtin);
-	if (e->kind == EXPR_FUNCTION)
-		return e->function->name ? e->function->name : "function";
-	return names[e->kind];
+	return e->kind == EXPR_CALL ? keyword_name(e->builtin) : names[e->kind];
+}
+
+static void print_function(struct printer *j, const struct function *f, unsigned depth);
+
+/* What stands between the operator and its operands. */
+static void print_detail(struct printer *j, const struct expr *e, unsigned depth)
+{
+	if (e->kind == EXPR_FUNCTION) {
+		fputs(", ", j->out);
+		print_function(j, e->function, depth);
+		if (e->component)
+			fprintf(j->out, ", {\"component\": %u}", e->component);
+	} else if (e->kind == EXPR_SUM || e->kind == EXPR_PROD) {
+		fprintf(j->out, ", {\"p\": %u}", e->index);
+	}
 }
 
 /* ["+", a, b]; parameters as {"p": index}. */
-static void print_expr(const struct printer *j, const struct expr *e)
+static void print_expr(struct printer *j, const struct expr *e, unsigned depth)
 {
 	if (e->kind == EXPR_CONSTANT) {
 		print_double(j, e->constant);
@@ -143,14 +155,11 @@ static void print_expr(const struct printer *j, const struct expr *e)
 		return;
 	}
 	fputc('[', j->out);
-	print_string(j, expr_name_of(e));
-	if (e->kind == EXPR_FUNCTION && e->component)
-		fprintf(j->out, ", {\"component\": %u}", e->component);
-	if (e->kind == EXPR_SUM || e->kind == EXPR_PROD)
-		fprintf(j->out, ", {\"p\": %u}", e->index);
+	print_string(j, operator_name(e));
+	print_detail(j, e, depth);
 	for (uint32_t i = 0; i < e->operand_count; i++) {
 		fputs(", ", j->out);
-		print_expr(j, e->operands[i]);
+		print_expr(j, e->operands[i], depth);
 	}
 	fputc(']', j->out);
 }
@@ -161,11 +170,16 @@ static void print_function(struct printer *j, const struct function *f, unsigned
 {
 	static const char *const kinds[] = { "expression", "internal", "pattern", "pigment",
 		"transform", "spline" };
-	fprintf(j->out, "{\"function\": \"%s\", \"parameters\": %u", kinds[f->kind],
-		f->parameter_count);
+	fprintf(j->out, "{\"function\": \"%s\"", kinds[f->kind]);
+	print_place(j, f->span);
+	if (!first_time(j, f)) {
+		fputc('}', j->out);
+		return;
+	}
+	fprintf(j->out, ", \"parameters\": %u", f->parameter_count);
 	if (f->kind == FUNCTION_EXPRESSION) {
 		fputs(", \"body\": ", j->out);
-		print_expr(j, f->body);
+		print_expr(j, f->body, depth);
 	} else if (f->kind == FUNCTION_INTERNAL) {
 		fprintf(j->out, ", \"number\": %d", f->internal);
 	} else if (f->node) {
@@ -241,9 +255,8 @@ static void print_nodes(struct printer *j, const struct node *list, unsigned dep
 static void print_node(struct printer *j, const struct node *node, unsigned depth)
 {
 	fprintf(j->out, "{\"%s\": ", node->keyword == K_REFERENCE ? "reference" : "node");
-	print_string(j,
-		node->keyword == K_REFERENCE ? (node->name ? node->name : "")
-					     : keyword_name(node->keyword));
+	print_string(j, node->keyword == K_REFERENCE ? (node->name ? node->name : "")
+						     : keyword_name(node->keyword));
 	print_place(j, node->span);
 	if (node->arg_count)
 		print_args(j, node, depth);

@@ -28,6 +28,11 @@ struct reference {
 	const char *name;
 };
 
+struct callee {
+	const struct function *function;
+	const char *name;
+};
+
 struct node_list {
 	struct node *first, *last;
 };
@@ -45,7 +50,7 @@ struct colour_parts {
 };
 
 struct colour_value {
-	struct number number;		   /* as written: 1 to 5 terms */
+	struct number number;		  /* as written: 1 to 5 terms */
 	const struct colour_parts *parts; /* NULL: none */
 	bool words;			  /* there is something besides the parts */
 };
@@ -61,7 +66,7 @@ struct doubles {
 	double *values;
 	size_t count, capacity;
 	unsigned stride;
-	double *extra; /* texture indices of mesh2 faces, as many as values; NULL: none */
+	double *extra;	   /* texture indices of mesh2 faces, as many as values; NULL: none */
 	unsigned textures; /* of the last face */
 };
 
@@ -101,11 +106,11 @@ struct run {
 	int start_token;
 	struct queued present;
 	const struct queued *last; /* the token delivered last, NULL: none */
-	size_t depth; /* open brackets */
+	size_t depth;		   /* open brackets */
 	unsigned braces;
 	struct opening *openings;
 	size_t opening_capacity;
-	enum keyword word; /* the last token, if it was a keyword */
+	enum keyword word;	  /* the last token, if it was a keyword */
 	enum keyword word_before; /* and the one before it */
 	span word_span;
 	/* The result. */
@@ -145,7 +150,8 @@ struct node *node_function(
 struct node *node_block(struct parser *, enum keyword, span whole, span word, struct node_list);
 struct node *node_reference(struct parser *, struct reference, span);
 /* A block that holds nothing but an identifier. */
-struct node *node_wrap(struct parser *, enum keyword, span whole, span word, struct reference, span);
+struct node *node_wrap(
+	struct parser *, enum keyword, span whole, span word, struct reference, span);
 struct node_list list_one(struct node *);
 struct node_list list_add(struct node_list, struct node *);
 struct node_list list_join(struct node_list, struct node_list);
@@ -168,7 +174,8 @@ struct node *node_matrix(struct parser *, span whole, span word, size_t start);
 struct node *magnet_node(
 	struct parser *, span whole, span word, double type, span at, struct node *kind);
 struct node *parametric_node(struct parser *, span whole, span word,
-	const struct function *const functions[3], const span at[3], size_t start, struct node_list);
+	const struct function *const functions[3], const span at[3], size_t start,
+	struct node_list);
 struct node *old_finish_node(
 	struct parser *, enum keyword, span whole, span word, double value, span);
 struct node *old_colour(struct parser *, struct colour_value, span);
@@ -183,17 +190,17 @@ void set_charset(struct parser *, const struct node *);
 /* Primitives: the arguments are checked against a table. */
 struct node *shape_node(struct parser *, enum keyword, span whole, span word, struct body);
 struct body body_add(struct body, struct node *);
-struct node *shape_coefficients(
-	struct parser *, enum keyword, span whole, span word, size_t start, span at, struct node_list);
+struct node *shape_coefficients(struct parser *, enum keyword, span whole, span word, size_t start,
+	span at, struct node_list);
 
 /* -- mesh.c ------------------------------------------------------------------------------- */
 
-struct node *mesh_face(struct parser *, enum keyword, span whole, span word, size_t start,
-	struct node_list tail);
+struct node *mesh_face(
+	struct parser *, enum keyword, span whole, span word, size_t start, struct node_list tail);
 struct mesh_items *mesh_items_new(struct parser *);
 struct mesh_items *mesh_add(struct mesh_items *, struct node *);
-struct mesh_items *mesh_add_face(struct parser *, struct mesh_items *, enum keyword, span word,
-	span last, size_t start);
+struct mesh_items *mesh_add_face(
+	struct parser *, struct mesh_items *, enum keyword, span word, span last, size_t start);
 struct doubles *doubles_new(struct parser *, double expected, unsigned stride);
 void doubles_add(struct parser *, struct doubles *, struct number, span);
 /* A face of a mesh2 (a vector) or a texture index behind it (one term). */
@@ -269,14 +276,14 @@ struct number builtin_trace(struct parser *, struct reference, struct number ori
 struct number builtin_dimensions(struct parser *, const struct symbol *, span);
 struct number builtin_dimension_size(struct parser *, const struct symbol *, double, span);
 struct number builtin_file_exists(struct parser *, const char *);
-struct number builtin_call(struct parser *, const struct function *, size_t start, span);
+struct number builtin_call(struct parser *, struct callee, size_t start, span);
 struct number builtin_constant(struct parser *, enum keyword);
 
 /* -- spline.c ----------------------------------------------------------------------------- */
 
 /* Keys and values are on the stack, alternating. */
-const struct spline *spline_build(struct parser *, const struct spline *base, enum keyword type,
-	size_t start, span);
+const struct spline *spline_build(
+	struct parser *, const struct spline *base, enum keyword type, size_t start, span);
 void spline_entry(struct parser *, double key, span, struct number, span);
 struct number spline_call(
 	struct parser *, const struct spline *, enum keyword type, double at, span);
@@ -309,8 +316,8 @@ struct expr_list {
 };
 struct expr_list *expr_list_add(struct parser *, struct expr_list *, const struct expr *);
 const struct expr *expr_builtin(struct parser *, enum keyword, const struct expr_list *, span);
-const struct expr *expr_call(struct parser *, const struct function *, const struct expr_list *,
-	enum keyword component, span);
+const struct expr *expr_call(
+	struct parser *, struct callee, const struct expr_list *, enum keyword component, span);
 
 /* -- values ------------------------------------------------------------------------------- */
 

@@ -65,8 +65,8 @@ struct number builtin_constant(struct parser *p, enum keyword word)
 static double seed(struct parser *p, double value)
 {
 	if ((p->seed_count & (p->seed_count - 1)) == 0)
-		p->seeds = memory_grow(p->seeds, p->seed_count ? 2 * p->seed_count : 1,
-			sizeof *p->seeds);
+		p->seeds = memory_grow(
+			p->seeds, p->seed_count ? 2 * p->seed_count : 1, sizeof *p->seeds);
 	p->seeds[p->seed_count] = (uint32_t)number_truncate(value);
 	return (double)p->seed_count++;
 }
@@ -75,7 +75,8 @@ static double next_random(struct parser *p, double stream, span where)
 {
 	const int i = number_truncate(stream);
 	if (i < 0 || (size_t)i >= p->seed_count) {
-		parser_error(p, where, "there is no random stream %d: rand needs a result of seed", i);
+		parser_error(
+			p, where, "there is no random stream %d: rand needs a result of seed", i);
 		return 0;
 	}
 	p->seeds[i] = 1812433253u * p->seeds[i] + 12345u;
@@ -231,12 +232,12 @@ static struct number turbulence(const struct call *c)
 	int octaves = number_truncate(arg_float(c, 2));
 	octaves = octaves < 1 ? 1 : octaves > 10 ? 10 : octaves;
 	const struct language_state *state = c->p->state;
-	const int generator = state->noise_generator ? state->noise_generator
-		: state->version >= 350		     ? 2
-						     : 1;
+	const int generator = state->noise_generator  ? state->noise_generator
+			      : state->version >= 350 ? 2
+						      : 1;
 	double r[3] = { 0 };
-	if (!hooks->turbulence || !hooks->turbulence(hooks->user, arg_float(c, 0),
-					  arg_float(c, 1), octaves, point, generator, r))
+	if (!hooks->turbulence || !hooks->turbulence(hooks->user, arg_float(c, 0), arg_float(c, 1),
+					  octaves, point, generator, r))
 		parser_error(c->p, c->where, "not supported yet: vturbulence");
 	return number_vector(r[0], r[1], r[2]);
 }
@@ -355,8 +356,7 @@ struct number builtin_extent(
 	if (object.node->keyword == K_PIGMENT) {
 		if (word == K_MIN_EXTENT)
 			parser_error(p, where, "min_extent needs an object");
-		else if (!hooks->image_size ||
-			!hooks->image_size(hooks->user, object.node, hi))
+		else if (!hooks->image_size || !hooks->image_size(hooks->user, object.node, hi))
 			parser_error(p, where, "not supported yet: max_extent of this pigment");
 		return number_vector(hi[0], hi[1], hi[2]);
 	}
@@ -430,26 +430,25 @@ struct number builtin_file_exists(struct parser *p, const char *name)
 
 /* -- User-defined functions --------------------------------------------------------------- */
 
-struct number builtin_call(
-	struct parser *p, const struct function *function, size_t start, span where)
+struct number builtin_call(struct parser *p, struct callee callee, size_t start, span where)
 {
+	const struct function *function = callee.function;
 	const struct render_hooks *hooks = &p->options->hooks;
 	struct grammar *g = p->grammar;
 	const size_t count = g->arg_count - start;
-	const char *name = function->name ? function->name : "the function";
 	double result[5] = { 0 };
 	unsigned terms = 1;
 	if (count != function->parameter_count) {
-		parser_error(p, where, "%s needs %u argument%s, found %zu", name,
-			function->parameter_count, function->parameter_count == 1 ? "" : "s", count);
+		parser_error(p, where, "%s needs %u argument%s, found %zu", callee.name,
+			function->parameter_count, function->parameter_count == 1 ? "" : "s",
+			count);
 	} else {
 		double *arguments = ARENA_ARRAY(p->arena, count + 1, double);
 		for (size_t i = 0; i < count; i++)
 			arguments[i] = number_to_float(
 				p, g->args[start + i].number, g->args[start + i].span);
-		if (!p->failed &&
-			(!hooks->call ||
-				!hooks->call(hooks->user, function, arguments, result, &terms)))
+		if (!p->failed && (!hooks->call || !hooks->call(hooks->user, function, arguments,
+							   result, &terms)))
 			parser_error(p, where,
 				"not supported yet: calling a function while the scene is read");
 	}

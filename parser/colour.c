@@ -56,16 +56,16 @@ struct number colour_word(struct parser *p, enum keyword word, struct number n, 
 	if (!is_srgb(word))
 		return out;
 	if (p->state->assumed_gamma == 0)
-		parser_error(p, where, "%s needs assumed_gamma to be set before",
-			keyword_name(word));
+		parser_error(
+			p, where, "%s needs assumed_gamma to be set before", keyword_name(word));
 	else
 		for (unsigned i = 0; i < 3; i++)
 			out.v[i] = (double)decode((float)out.v[i], p->state->assumed_gamma);
 	return out;
 }
 
-struct colour_parts *colour_part(struct parser *p, struct colour_parts *parts, enum keyword word,
-	double value, span at)
+struct colour_parts *colour_part(
+	struct parser *p, struct colour_parts *parts, enum keyword word, double value, span at)
 {
 	unsigned i = 3; /* filter */
 	if (!parts)
@@ -186,7 +186,8 @@ struct node_list colour_map_entry(
 		return list_one(entry(p, whole, positions[0], colours[0]));
 	if (numbers != 2 || count != 2) {
 		parser_error(p, whole,
-			"an entry of a color_map is [value colour] or [value value color A color B]");
+			"an entry of a color_map is [value colour] or [value value color A color "
+			"B]");
 		return list_none();
 	}
 	return list_add(list_one(entry(p, whole, positions[0], colours[0])),
@@ -196,7 +197,7 @@ struct node_list colour_map_entry(
 static bool same_entry(const struct node *a, const struct node *b)
 {
 	return a->args[0].number.v[0] == b->args[0].number.v[0] &&
-		memcmp(a->args[1].number.v, b->args[1].number.v, sizeof a->args[1].number.v) == 0;
+	       memcmp(a->args[1].number.v, b->args[1].number.v, sizeof a->args[1].number.v) == 0;
 }
 
 struct node *colour_map_node(struct parser *p, span whole, span word, struct node_list list)
@@ -235,8 +236,8 @@ struct node *map_entry(
 	g->arg_count = start + (numbers ? 1 : 0);
 	if (numbers) {
 		struct arg *arg = &g->args[start];
-		arg->number = number_float(
-			(double)(float)number_to_float(p, arg->number, arg->span));
+		arg->number =
+			number_float((double)(float)number_to_float(p, arg->number, arg->span));
 	}
 	struct node *node = node_args(p, K_ENTRY, whole, whole, start);
 	node->children = items.first;

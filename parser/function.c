@@ -23,14 +23,14 @@ struct function_scope {
 
 /* Parameters of internal(n) beyond x, y, z. */
 static const unsigned char internal_parameters[INTERNAL_FUNCTIONS] = {
-	5, 5, 5, 5, 2, 2, 5, 4, 2, 1, /* 0 */
-	4, 1, 1, 1, 1, 6, 6, 3, 1, 4, /* 10 */
+	5, 5, 5, 5, 2, 2, 5, 4, 2, 1,  /* 0 */
+	4, 1, 1, 1, 1, 6, 6, 3, 1, 4,  /* 10 */
 	3, 6, 1, 1, 10, 7, 7, 1, 1, 6, /* 20 */
-	1, 3, 4, 3, 6, 1, 1, 4, 1, 6, /* 30 */
-	5, 1, 1, 1, 4, 1, 3, 0, 1, 1, /* 40 */
-	7, 5, 6, 1, 1, 1, 3, 0, 6, 6, /* 50 */
-	4, 1, 5, 4, 6, 1, 4, 7, 2, 0, /* 60 */
-	2, 3, 1, 1, 2, 6, 0, 0, 1, /* 70 */
+	1, 3, 4, 3, 6, 1, 1, 4, 1, 6,  /* 30 */
+	5, 1, 1, 1, 4, 1, 3, 0, 1, 1,  /* 40 */
+	7, 5, 6, 1, 1, 1, 3, 0, 6, 6,  /* 50 */
+	4, 1, 5, 4, 6, 1, 4, 7, 2, 0,  /* 60 */
+	2, 3, 1, 1, 2, 6, 0, 0, 1,     /* 70 */
 };
 
 /* -- Scopes ------------------------------------------------------------------------------- */
@@ -154,8 +154,8 @@ static struct expr *make(struct parser *p, enum expr_kind kind, span where)
 	return e;
 }
 
-static void set_operands(struct parser *p, struct expr *e, const struct expr *const *operands,
-	size_t count)
+static void set_operands(
+	struct parser *p, struct expr *e, const struct expr *const *operands, size_t count)
 {
 	e->operand_count = (uint32_t)count;
 	e->operands = arena_copy(p->arena, operands, count * sizeof *operands);
@@ -183,7 +183,7 @@ static bool same_variable(const char *a, const char *b)
 	if (a[1] || b[1])
 		return false;
 	return (a[0] == 'x' && b[0] == 'u') || (a[0] == 'u' && b[0] == 'x') ||
-		(a[0] == 'y' && b[0] == 'v') || (a[0] == 'v' && b[0] == 'y');
+	       (a[0] == 'y' && b[0] == 'v') || (a[0] == 'v' && b[0] == 'y');
 }
 
 /* The innermost variable of that name. */
@@ -334,20 +334,19 @@ enum keyword member_hf(struct parser *p, const char *name, span where)
 	return K_HF_GRAY_16;
 }
 
-const struct expr *expr_call(struct parser *p, const struct function *function,
-	const struct expr_list *list, enum keyword component, span where)
+const struct expr *expr_call(struct parser *p, struct callee callee, const struct expr_list *list,
+	enum keyword component, span where)
 {
+	const struct function *function = callee.function;
 	struct expr *e = make(p, EXPR_FUNCTION, where);
 	if (list->count != function->parameter_count)
-		parser_error(p, where, "%s needs %u argument%s, found %zu",
-			function->name ? function->name : "the function",
+		parser_error(p, where, "%s needs %u argument%s, found %zu", callee.name,
 			function->parameter_count, function->parameter_count == 1 ? "" : "s",
 			list->count);
 	e->function = function;
 	e->component = (uint8_t)member_index(component);
 	if (component != K_NONE && e->component < 5 && e->component >= function_terms(function))
-		parser_error(p, where, "the function has no component %s",
-			keyword_name(component));
+		parser_error(p, where, "the function has no component %s", keyword_name(component));
 	set_operands(p, e, list->items, list->count);
 	return e;
 }

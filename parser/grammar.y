@@ -40,6 +40,7 @@
 	struct text_value text;
 	struct reference ref;
 	const struct function *function;
+	struct callee callee;
 	const struct spline *spline;
 	struct symbol *symbol;
 	const char *name;
@@ -94,7 +95,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %token <ref> T_COLOUR_MAP "a color_map identifier" T_PIGMENT_MAP "a pigment_map identifier"
 %token <ref> T_NORMAL_MAP "a normal_map identifier" T_TEXTURE_MAP "a texture_map identifier"
 %token <ref> T_SLOPE_MAP "a slope_map identifier" T_DENSITY_MAP "a density_map identifier"
-%token <function> T_FUNCTION "a function" T_VECTOR_FUNCTION "a vector function"
+%token <callee> T_FUNCTION "a function" T_VECTOR_FUNCTION "a vector function"
 %token <spline> T_SPLINE "a spline identifier"
 %token <symbol> T_ARRAY "an array"
 %token T_MACRO "a macro" T_FILE "a file handle" T_HASH "#"
@@ -835,8 +836,8 @@ value:
 	| KW_ARRAY dimensions '{' elements ',' '}' { $$ = value_array(p, $2, @2, $4, @$); }
 	| T_ARRAY { $$ = value_of_symbol(p, $1, @1); }
 	| function { $$ = value_function($1); }
-	| T_FUNCTION %prec ENDS { $$ = value_function($1); }
-	| T_VECTOR_FUNCTION %prec ENDS { $$ = value_function($1); }
+	| T_FUNCTION %prec ENDS { $$ = value_function($1.function); }
+	| T_VECTOR_FUNCTION %prec ENDS { $$ = value_function($1.function); }
 	| spline { $$ = value_spline($1); }
 	| T_SPLINE %prec ENDS { $$ = value_spline($1); }
 	| transform { $$ = value_node(T_TRANSFORM, $1); }

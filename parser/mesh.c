@@ -97,8 +97,8 @@ static bool take_face(
 {
 	struct grammar *g = p->grammar;
 	const size_t wanted = keyword == K_TRIANGLE ? 3 : 6, found = g->arg_count - start;
-	const char *needs = keyword == K_TRIANGLE ? "three corners"
-						  : "three corners, each with its normal";
+	const char *needs =
+		keyword == K_TRIANGLE ? "three corners" : "three corners, each with its normal";
 	for (size_t i = 0; i < found && i < wanted; i++) {
 		double v[5];
 		number_to_vector(p, g->args[start + i].number, 3, g->args[start + i].span, v);
@@ -106,8 +106,8 @@ static bool take_face(
 	}
 	g->arg_count = start;
 	if (found != wanted)
-		parser_error(p, word, "%s needs %s, found %zu vectors", keyword_name(keyword), needs,
-			found);
+		parser_error(p, word, "%s needs %s, found %zu vectors", keyword_name(keyword),
+			needs, found);
 	return found == wanted;
 }
 
@@ -121,8 +121,8 @@ struct node *mesh_face(struct parser *p, enum keyword keyword, span whole, span 
 {
 	double *values = ARENA_ARRAY(p->arena, 18, double);
 	take_face(p, keyword, word, start, values);
-	struct node *node = node_args(p, keyword, whole, word,
-		args_push_array(p, values, face_size(keyword), 3, whole));
+	struct node *node = node_args(
+		p, keyword, whole, word, args_push_array(p, values, face_size(keyword), 3, whole));
 	node->children = tail.first;
 	return node;
 }

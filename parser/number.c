@@ -153,8 +153,7 @@ static unsigned component_index(enum keyword component)
 	}
 }
 
-struct number number_select(
-	struct parser *p, struct number n, enum keyword component, span where)
+struct number number_select(struct parser *p, struct number n, enum keyword component, span where)
 {
 	const unsigned i = component_index(component);
 	const bool is_float = n.terms == 1;
@@ -205,7 +204,7 @@ struct number number_check(struct parser *p, struct number n, unsigned terms, sp
 {
 	if (n.terms > terms)
 		parser_error(p, where, "a vector of %u components is wanted here, not %s", terms,
-			n.terms == 5 ? "a colour"
+			n.terms == 5   ? "a colour"
 			: n.terms == 4 ? "one of 4"
 				       : "one of 3");
 	return n;

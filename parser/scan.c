@@ -86,8 +86,7 @@ static struct queued *next_token(struct parser *p, struct run *run)
 	struct queued *t = &run->present;
 	span last;
 	/* Only inside braces: elsewhere the '<' may have to be handed back. */
-	if (fetch(p, t) == '<' && run->braces &&
-		expand_plain_vector(p, &t->value.number, &last)) {
+	if (fetch(p, t) == '<' && run->braces && expand_plain_vector(p, &t->value.number, &last)) {
 		t->token = T_VECTOR;
 		t->where = span_join(t->where, last);
 	}
@@ -117,7 +116,7 @@ static void convert(GRAMMAR_STYPE *out, int token, const struct token_value *v)
 		break;
 	case T_FUNCTION:
 	case T_VECTOR_FUNCTION:
-		out->function = v->function;
+		out->callee = (struct callee){ v->function, token_name(v) };
 		break;
 	case T_SPLINE:
 		out->spline = v->spline;
@@ -174,7 +173,9 @@ static const char *closing(int token)
 static const char *bare_words(int token)
 {
 	const char *words = token_words(token);
-	return strncmp(words, "a ", 2) == 0 ? words + 2 : strncmp(words, "an ", 3) == 0 ? words + 3 : words;
+	return strncmp(words, "a ", 2) == 0    ? words + 2
+	       : strncmp(words, "an ", 3) == 0 ? words + 3
+					       : words;
 }
 
 static const char *found_words(struct parser *p, const struct queued *t)
@@ -184,8 +185,8 @@ static const char *found_words(struct parser *p, const struct queued *t)
 		return "the end of the text";
 	case T_NUMBER:
 		return token_name(&t->value) && t->value.symbol
-			? arena_printf(p->arena, "float '%s'", token_name(&t->value))
-			: "number";
+			       ? arena_printf(p->arena, "float '%s'", token_name(&t->value))
+			       : "number";
 	case T_HASH:
 		return "directive";
 	default:
@@ -196,8 +197,8 @@ static const char *found_words(struct parser *p, const struct queued *t)
 	if (t->value.keyword != K_NONE)
 		return arena_printf(p->arena, "'%s'", keyword_name(t->value.keyword));
 	if (t->value.symbol)
-		return arena_printf(p->arena, "%s '%s'", bare_words(t->token),
-			symbol_name(t->value.symbol));
+		return arena_printf(
+			p->arena, "%s '%s'", bare_words(t->token), symbol_name(t->value.symbol));
 	return bare_words(t->token);
 }
 
@@ -223,9 +224,9 @@ void syntax_error(struct parser *p, struct run *run, const char *expected)
 	}
 	/* A closing bracket that does not fit has already been taken off the stack. */
 	const struct opening *open = is_closing(t->token) && run->depth < run->opening_capacity &&
-			run->openings[run->depth].token != 0
-		? &run->openings[run->depth]
-		: innermost(run);
+						     run->openings[run->depth].token != 0
+					     ? &run->openings[run->depth]
+					     : innermost(run);
 	const char *found = found_words(p, t);
 	if (t->token == 0 && open) {
 		const bool named = open->keyword != K_NONE;

@@ -64,8 +64,7 @@ static size_t leading(const struct shape_form *form)
 }
 
 /* Writes one element of a list: a vector, or for sphere_sweep a centre and a radius. */
-static void list_element(
-	struct parser *p, const struct arg *args, unsigned stride, double out[5])
+static void list_element(struct parser *p, const struct arg *args, unsigned stride, double out[5])
 {
 	if (stride == 4) {
 		number_to_vector(p, args[0].number, 3, args[0].span, out);
@@ -87,8 +86,8 @@ static void gather(struct parser *p, const struct shape_form *form, size_t start
 		wanted = said >= 1 && said < 1e9 ? (size_t)said : 0;
 	}
 	if (found != wanted || (g->arg_count - start) % per) {
-		parser_error(p, word, "%s needs %zu points, found %zu",
-			keyword_name(form->keyword), wanted, found);
+		parser_error(p, word, "%s needs %zu points, found %zu", keyword_name(form->keyword),
+			wanted, found);
 		g->arg_count = start;
 		return;
 	}
@@ -112,7 +111,8 @@ static void check_kinds(struct parser *p, enum keyword keyword, size_t start)
 		const struct arg *arg = &g->args[i];
 		const bool wants = keyword == K_TEXT && i - start < 2;
 		if (arg->kind == ARG_STRING && !wants)
-			parser_error(p, arg->span, "unexpected string in %s", keyword_name(keyword));
+			parser_error(
+				p, arg->span, "unexpected string in %s", keyword_name(keyword));
 		else if (arg->kind != ARG_STRING && wants && i != start)
 			parser_error(p, arg->span, "text needs a string here");
 	}
@@ -124,7 +124,7 @@ static void check_steps(struct parser *p, enum keyword keyword, struct node_list
 		const bool solver = n->keyword == K_STURM;
 		const bool hierarchy = n->keyword == K_HIERARCHY;
 		const bool may_sturm = keyword == K_LATHE || keyword == K_OVUS ||
-			keyword == K_PRISM || keyword == K_SOR || keyword == K_TORUS;
+				       keyword == K_PRISM || keyword == K_SOR || keyword == K_TORUS;
 		if ((solver && !may_sturm) || hierarchy || n->keyword == K_SPLIT_UNION ||
 			n->keyword == K_CUTAWAY_TEXTURES)
 			parser_error(p, n->span, "%s does not apply to %s",
@@ -148,8 +148,7 @@ struct node *shape_node(
 	} else if (form->tail) {
 		for (size_t i = 0; i < least; i++) {
 			struct arg *arg = &g->args[body.start + i];
-			arg->number =
-				number_float(number_to_float(p, arg->number, arg->span));
+			arg->number = number_float(number_to_float(p, arg->number, arg->span));
 		}
 		gather(p, form, body.start + least, word);
 		node = node_args(p, keyword, whole, word, body.start);

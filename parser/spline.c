@@ -58,8 +58,8 @@ static enum spline_type type_of(enum keyword word)
 	}
 }
 
-const struct spline *spline_build(struct parser *p, const struct spline *base, enum keyword type,
-	size_t start, span where)
+const struct spline *spline_build(
+	struct parser *p, const struct spline *base, enum keyword type, size_t start, span where)
 {
 	struct grammar *g = p->grammar;
 	const size_t added = (g->arg_count - start) / 2, old = base ? base->count : 0;
@@ -123,12 +123,12 @@ static double quadratic(const struct curve *c, size_t i, double p)
 		     v3 = value_at(c, first + 2);
 	const double d = (t2 - t1) * (t3 - t1) * (t3 - t2);
 	const double a = (v1 * (t3 - t2) + v2 * (t1 - t3) + v3 * (t2 - t1)) / d;
-	const double b = (v1 * (t2 * t2 - t3 * t3) + v2 * (t3 * t3 - t1 * t1) +
-				 v3 * (t1 * t1 - t2 * t2)) /
+	const double b =
+		(v1 * (t2 * t2 - t3 * t3) + v2 * (t3 * t3 - t1 * t1) + v3 * (t1 * t1 - t2 * t2)) /
 		d;
 	const double e = (v1 * (t2 * t3 * t3 - t2 * t2 * t3) + v2 * (t1 * t1 * t3 - t1 * t3 * t3) +
 				 v3 * (t1 * t2 * t2 - t1 * t1 * t2)) /
-		d;
+			 d;
 	return (a * p + b) * p + e;
 }
 
@@ -148,7 +148,7 @@ static double cubic(const struct curve *c, size_t i, double p)
 	const double mb = 0.5 * ((value_at(c, b + 1) - vb) / (t[b + 1] - t[b]) + slope) * d;
 	const double u2 = u * u, u3 = u2 * u;
 	return va * (2 * u3 - 3 * u2 + 1) + vb * (3 * u2 - 2 * u3) + ma * (u3 - 2 * u2 + u) +
-		mb * (u3 - u2);
+	       mb * (u3 - u2);
 }
 
 /* The second derivatives at the keys, zero at both ends. `work` holds 3 (n + 1) numbers; they are
@@ -179,8 +179,8 @@ static double natural(const struct curve *c, size_t i, double p, double *work)
 	const size_t a = i - 1;
 	const double h = c->t[i] - c->t[a], d = p - c->t[a], ma = work[a], mb = work[i];
 	const double va = value_at(c, a), vb = value_at(c, i);
-	return va +
-		d * (-(h / 6) * (mb + 2 * ma) + (vb - va) / h + d * (ma / 2 + d * (mb - ma) / (6 * h)));
+	return va + d * (-(h / 6) * (mb + 2 * ma) + (vb - va) / h +
+				d * (ma / 2 + d * (mb - ma) / (6 * h)));
 }
 
 /* The smallest index whose key is at least p; count if there is none. */
@@ -197,8 +197,8 @@ static size_t find(const struct spline *s, double p)
 	return lo;
 }
 
-static double component(const struct curve *c, enum spline_type type, size_t i, double p,
-	double *work)
+static double component(
+	const struct curve *c, enum spline_type type, size_t i, double p, double *work)
 {
 	if (c->n == 0)
 		return value_at(c, 0);

@@ -13,13 +13,14 @@
 static bool is_camera_type(enum keyword k)
 {
 	return k == K_PERSPECTIVE || k == K_ORTHOGRAPHIC || k == K_FISHEYE ||
-		k == K_ULTRA_WIDE_ANGLE || k == K_OMNIMAX || k == K_PANORAMIC || k == K_SPHERICAL ||
-		k == K_CYLINDER || k == K_MESH_CAMERA;
+	       k == K_ULTRA_WIDE_ANGLE || k == K_OMNIMAX || k == K_PANORAMIC || k == K_SPHERICAL ||
+	       k == K_CYLINDER || k == K_MESH_CAMERA;
 }
 
 static bool is_transformation(enum keyword k)
 {
-	return k == K_TRANSLATE || k == K_ROTATE || k == K_SCALE || k == K_MATRIX || k == K_TRANSFORM;
+	return k == K_TRANSLATE || k == K_ROTATE || k == K_SCALE || k == K_MATRIX ||
+	       k == K_TRANSFORM;
 }
 
 /* From version 3.5 the type stands first, and a camera identifier takes transformations only. */
@@ -32,8 +33,8 @@ void camera_check_order(struct parser *p, struct node_list items)
 		if (n->keyword == K_REFERENCE) {
 			reference = true;
 		} else if (reference && !is_transformation(n->keyword)) {
-			parser_error(p, n->span,
-				"only transformations may follow a camera identifier");
+			parser_error(
+				p, n->span, "only transformations may follow a camera identifier");
 		} else if (!is_camera_type(n->keyword)) {
 			item = true;
 		} else if (item) {
@@ -137,7 +138,7 @@ void set_noise(struct parser *p, double value, span where)
 
 void set_charset(struct parser *p, const struct node *word)
 {
-	p->charset = word->keyword == K_UTF8 ? CHARSET_UTF8
-		: word->keyword == K_SYS     ? CHARSET_SYS
-					     : CHARSET_ASCII;
+	p->charset = word->keyword == K_UTF8  ? CHARSET_UTF8
+		     : word->keyword == K_SYS ? CHARSET_SYS
+					      : CHARSET_ASCII;
 }

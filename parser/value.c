@@ -36,7 +36,7 @@ struct value value_node(int token, const struct node *node)
 static bool is_vector_function(const struct function *f)
 {
 	return f->kind == FUNCTION_PIGMENT || f->kind == FUNCTION_TRANSFORM ||
-		f->kind == FUNCTION_SPLINE;
+	       f->kind == FUNCTION_SPLINE;
 }
 
 struct value value_function(const struct function *f)
@@ -113,8 +113,9 @@ static void fill(struct parser *p, struct array *a, unsigned d, size_t at,
 		const struct element *e = &elements->items[i];
 		const size_t index = at * a->size[d] + i;
 		if (!e->inner != last) {
-			parser_error(p, e->where, last ? "unexpected { in the values of an array"
-						       : "the values of this dimension need braces");
+			parser_error(p, e->where,
+				last ? "unexpected { in the values of an array"
+				     : "the values of this dimension need braces");
 		} else if (e->inner) {
 			fill(p, a, d + 1, index, e->inner, e->where);
 		} else if (!array_accepts(a, &e->value)) {
