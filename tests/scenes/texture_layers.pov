@@ -1,10 +1,13 @@
-// Layers: a transmitting one and a filtering one above an opaque one.
+// Layers; modifying the top one.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { location <0, 1, -5> look_at 0 angle 40 }
-light_source { <-4, 6, -5> rgb 1 }
-sphere { 0, 1
-	texture { pigment { rgb <0.8, 0.3, 0.2> } finish { phong 0.5 } }
-	texture { pigment { gradient y scale 0.4 color_map { [0.4 rgbt <1, 1, 1, 1>] [0.5 rgbt <0, 0, 1, 0.2>] } } }
-	texture { pigment { checker rgbf 1, rgbf <1, 0.9, 0, 0.6> scale 0.5 } finish { ambient 0 } }
-}
+camera { location <0, 1.2, -4> look_at <0, 0, 0> angle 45 }
+light_source { <-5, 8, -6>, 1 }
+#declare T = texture { pigment { wood scale .2 turbulence .1 } }
+	texture {
+		pigment { bozo color_map { [.3 rgbt 1] [.5 rgbf <.8, .5, .4, .7>] [.8 rgb <.2, .4, .6>] } scale .3 }
+		finish { phong 1 reflection .2 }
+	}
+#declare U = texture { T pigment { checker rgbt 1 rgb z scale .2 } rotate 30 scale 2 }
+sphere { 0, 1 texture { T } texture { U } scale .9 }
+plane { y, -1 texture { pigment { checker } } texture { U } normal { bumps 1 } }
