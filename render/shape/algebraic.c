@@ -3,23 +3,35 @@
  * cubic { <coefficients> }, quartic { <coefficients> }, poly { order, <coefficients> }
  *
  * The zeros of a polynomial in x, y and z; the coefficients stand by falling
- * powers of x, then y, then z. Along a ray it is a polynomial in the distance,
- * formed by Horner's rule at the point of the ray nearest the origin.
+ * powers of x, then y, then z, and most are zero: only the others are kept. Along
+ * a ray it is a polynomial in the distance, formed by Horner's rule at the point
+ * of the ray nearest the origin.
  */
 #include "render/shape.h"
 #include "render/shape/polynomial.h"
 
-#include <string.h>
+#include <stdint.h>
 
 #define MAX_ORDER 35
 /* How far beyond its surface the language lets the inside reach, in values of the polynomial. */
 #define FAT 1e-4
 
+/* A coefficient and what Horner's rule does after adding it: multiply so many times by z; then, at
+ * the end of a polynomial in z, by y; then, at the end of one in y and z, by x. */
+struct term {
+	double coefficient;
+	uint8_t times_z, times_y, times_x;
+	bool ends_z, ends_y;
+};
+
 struct algebraic {
 	double order; /* as written; then 3 or 4 for cubic and quartic */
 	struct param_array coefficients;
 	bool sturm; /* asks for care that is always taken */
-	double top; /* built: the sum of all coefficients of the highest order, without signs */
+	/* built: */
+	double top;	    /* the sum of all coefficients of the highest order, without signs */
+	struct term *terms; /* that are not zero */
+	size_t term_count;
 };
 
 static const struct param cubic_params[] = { PARAM_ARRAY("coefficients", algebraic, coefficients),
@@ -28,6 +40,25 @@ static const struct param poly_params[] = { PARAM_FLOAT("an order", algebraic, o
 	PARAM_ARRAY("coefficients", algebraic, coefficients), PARAM_FLAG("sturm", algebraic, sturm),
 	PARAM_END };
 
+/* Appends the coefficient of x^x y^y z^z; until another term follows it is taken to be the last. */
+static void add_term(struct algebraic *a, double coefficient, unsigned powers[3])
+{
+	const unsigned x = powers[0], y = powers[1], z = powers[2];
+	struct term *term = &a->terms[a->term_count++];
+	*term = (struct term){ coefficient, (uint8_t)z, (uint8_t)y, (uint8_t)x, true, true };
+	if (a->term_count == 1)
+		return;
+	struct term *before = term - 1;
+	before->ends_y = before->times_x != x;
+	before->ends_z = before->ends_y || before->times_y != y;
+	if (before->ends_y)
+		before->times_x = (uint8_t)(before->times_x - x);
+	else if (before->ends_z)
+		before->times_y = (uint8_t)(before->times_y - y);
+	else
+		before->times_z = (uint8_t)(before->times_z - z);
+}
+
 static void algebraic_build(struct algebraic *a, unsigned order, struct shape_build *build)
 {
 	a->order = order;
@@ -35,21 +66,17 @@ static void algebraic_build(struct algebraic *a, unsigned order, struct shape_bu
 		build->error(build->user, "the number of coefficients does not fit the order");
 		return;
 	}
-	a->coefficients.values = arena_copy(build->arena, a->coefficients.values,
-		a->coefficients.count * sizeof *a->coefficients.values);
+	a->terms = ARENA_ARRAY(build->arena, a->coefficients.count, struct term);
 	const double *c = a->coefficients.values;
 	for (unsigned i = 0; i <= order; i++) {
-		for (unsigned j = 0; j <= i; c += ++j)
+		for (unsigned j = 0; j <= i; j++) {
 			a->top += fabs(*c);
+			for (unsigned k = 0; k <= j; k++, c++) {
+				if (*c != 0)
+					add_term(a, *c, (unsigned[3]){ order - i, i - j, j - k });
+			}
+		}
 	}
-}
-
-/* The highest coefficient along a ray is zero where it is no more than rounding: else it would have
- * roots of its own, far away. */
-static unsigned rounded_degree(const struct algebraic *a, const double *c)
-{
-	const unsigned order = (unsigned)a->order;
-	return fabs(c[order]) <= 1e-14 * a->top ? order - 1 : order;
 }
 
 static void cubic_build(void *self, struct shape_build *build)
@@ -78,57 +105,93 @@ static box algebraic_bounds(const void *self)
 	return box_everything();
 }
 
-/* p = p * (a + b s) + q, where p then has degree `degree` and q a smaller or equal one. */
-static void multiply_add(
-	double *p, unsigned degree, double a, double b, const double *q, unsigned q_degree)
+/* A polynomial while it is formed, lowest power first. */
+struct series {
+	double c[MAX_ORDER + 1];
+	unsigned degree;
+};
+
+/* p (a + b s)^times */
+static inline void series_times(struct series *p, double a, double b, unsigned times)
 {
-	for (unsigned i = degree; i > 0; i--)
-		p[i] = a * p[i] + b * p[i - 1];
-	p[0] *= a;
-	for (unsigned i = 0; i <= q_degree; i++)
-		p[i] += q[i];
+	for (; times > 0; times--) {
+		p->c[p->degree + 1] = b * p->c[p->degree];
+		for (unsigned i = p->degree; i > 0; i--)
+			p->c[i] = a * p->c[i] + b * p->c[i - 1];
+		p->c[0] *= a;
+		p->degree++;
+	}
 }
 
-/* The polynomial along the ray o + s d, lowest power first. */
-static void along_ray(const struct algebraic *a, vec3 o, vec3 d, double *in_x)
+/* Adds q to p and makes q zero. */
+static inline void series_take(struct series *p, struct series *q)
 {
-	const unsigned n = (unsigned)a->order;
-	const double *c = a->coefficients.values;
-	double in_y[MAX_ORDER + 1], in_z[MAX_ORDER + 1];
-	memset(in_x, 0, (n + 1) * sizeof *in_x);
-	for (unsigned i = 0; i <= n; i++) { /* x^(n - i) */
-		memset(in_y, 0, (n + 1) * sizeof *in_y);
-		for (unsigned j = 0; j <= i; j++) { /* y^(i - j) */
-			memset(in_z, 0, (n + 1) * sizeof *in_z);
-			for (unsigned k = 0; k <= j; k++) /* z^(j - k) */
-				multiply_add(in_z, k, o.z, d.z, c++, 0);
-			multiply_add(in_y, j, o.y, d.y, in_z, j);
-		}
-		multiply_add(in_x, i, o.x, d.x, in_y, i);
+	for (; p->degree < q->degree; p->degree++)
+		p->c[p->degree + 1] = 0;
+	for (unsigned i = 0; i <= q->degree; i++)
+		p->c[i] += q->c[i];
+	q->c[0] = 0;
+	q->degree = 0;
+}
+
+/* The polynomial along the ray o + s d, lowest power first; returns its degree. */
+static unsigned along_ray(const struct algebraic *a, vec3 o, vec3 d, struct series *in_x)
+{
+	struct series in_y, in_z;
+	in_x->c[0] = in_y.c[0] = in_z.c[0] = 0;
+	in_x->degree = in_y.degree = in_z.degree = 0;
+	for (size_t i = 0; i < a->term_count; i++) {
+		const struct term *term = &a->terms[i];
+		in_z.c[0] += term->coefficient;
+		series_times(&in_z, o.z, d.z, term->times_z);
+		if (!term->ends_z)
+			continue;
+		series_take(&in_y, &in_z);
+		series_times(&in_y, o.y, d.y, term->times_y);
+		if (!term->ends_y)
+			continue;
+		series_take(in_x, &in_y);
+		series_times(in_x, o.x, d.x, term->times_x);
 	}
+	/* The highest coefficient is zero where it is no more than rounding: else it would have
+	 * roots of its own, far away. */
+	if (in_x->degree == (unsigned)a->order && fabs(in_x->c[in_x->degree]) <= 1e-14 * a->top)
+		return in_x->degree - 1;
+	return in_x->degree;
 }
 
 /* Value and gradient at p, carried through the same scheme. */
 static double value_and_gradient(const struct algebraic *a, vec3 p, vec3 *gradient)
 {
-	const unsigned n = (unsigned)a->order;
-	const double *c = a->coefficients.values;
-	double f = 0;
+	double f = 0, fy = 0, fz = 0;
 	vec3 g = vec(0, 0, 0);
-	for (unsigned i = 0; i <= n; i++) {
-		double fy = 0, gyy = 0, gyz = 0;
-		for (unsigned j = 0; j <= i; j++) {
-			double fz = 0, gz = 0;
-			for (unsigned k = 0; k <= j; k++) {
-				gz = gz * p.z + fz;
-				fz = fz * p.z + *c++;
-			}
-			gyy = gyy * p.y + fy;
-			gyz = gyz * p.y + gz;
-			fy = fy * p.y + fz;
+	double gyy = 0, gyz = 0, gz = 0;
+	for (size_t i = 0; i < a->term_count; i++) {
+		const struct term *term = &a->terms[i];
+		fz += term->coefficient;
+		for (unsigned k = term->times_z; k > 0; k--) {
+			gz = gz * p.z + fz;
+			fz *= p.z;
 		}
-		g = vec(g.x * p.x + f, g.y * p.x + gyy, g.z * p.x + gyz);
-		f = f * p.x + fy;
+		if (!term->ends_z)
+			continue;
+		fy += fz;
+		gyz += gz;
+		fz = gz = 0;
+		for (unsigned k = term->times_y; k > 0; k--) {
+			gyy = gyy * p.y + fy;
+			gyz *= p.y;
+			fy *= p.y;
+		}
+		if (!term->ends_y)
+			continue;
+		f += fy;
+		g = vec(g.x, g.y + gyy, g.z + gyz);
+		fy = gyy = gyz = 0;
+		for (unsigned k = term->times_x; k > 0; k--) {
+			g = vec(g.x * p.x + f, g.y * p.x, g.z * p.x);
+			f *= p.x;
+		}
 	}
 	*gradient = g;
 	return f;
@@ -141,10 +204,11 @@ static void algebraic_hits(
 	const double scale = vec_length(r->direction);
 	const vec3 d = vec_scale(r->direction, 1 / scale);
 	const double before = vec_dot(r->origin, d);
-	double c[MAX_ORDER + 1], roots[POLYNOMIAL_MAX_DEGREE];
-	along_ray(a, vec_mad(r->origin, -before, d), d, c);
+	struct series s;
+	double roots[POLYNOMIAL_MAX_DEGREE];
+	const unsigned degree = along_ray(a, vec_mad(r->origin, -before, d), d, &s);
 	const unsigned count = polynomial_crossings(
-		c, rounded_degree(a, c), tmin * scale + before, tmax * scale + before, roots);
+		s.c, degree, tmin * scale + before, tmax * scale + before, roots);
 	for (unsigned i = 0; i < count; i++) {
 		const double t = (roots[i] - before) / scale;
 		if (t > tmin && t < tmax)
@@ -159,10 +223,11 @@ static bool algebraic_nearest(
 	const double scale = vec_length(r->direction);
 	const vec3 d = vec_scale(r->direction, 1 / scale);
 	const double before = vec_dot(r->origin, d);
-	double c[MAX_ORDER + 1], root;
-	along_ray(a, vec_mad(r->origin, -before, d), d, c);
+	struct series s;
+	double root;
+	const unsigned degree = along_ray(a, vec_mad(r->origin, -before, d), d, &s);
 	if (!polynomial_first_crossing(
-		    c, (unsigned)a->order, tmin * scale + before, tmax * scale + before, &root))
+		    s.c, degree, tmin * scale + before, tmax * scale + before, &root))
 		return false;
 	const double t = (root - before) / scale;
 	if (!(t >= tmin && t < tmax))

@@ -6,6 +6,8 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
 
 double polynomial_value(const double *c, unsigned degree, double x)
 {
@@ -35,12 +37,14 @@ static inline double value_and_slope(const double *c, unsigned degree, double x,
 	return value;
 }
 
-/* The root between lo and hi, at which the signs differ. Newton's step is taken where it stays
- * between the nearest points of either sign known so far, else the interval is halved. */
-static double bracketed_root(
-	const double *c, unsigned degree, double lo, double hi, bool positive_at_lo)
+/* The root between lo and hi, at which the signs differ, searched from `guess` on; `enough` is an
+ * error that does no harm, 0 for none. Newton's step is taken where it stays between the nearest
+ * points of either sign known so far, else the interval is halved. */
+static double bracketed_root(const double *c, unsigned degree, double lo, double hi,
+	bool positive_at_lo, double guess, double enough)
 {
-	double x = 0.5 * (lo + hi), before = hi - lo;
+	double x = guess > lo && guess < hi ? guess : 0.5 * (lo + hi), before = hi - lo;
+	bool halved = true;
 	/* halving alone ends after as many steps as there are bits between lo and hi */
 	for (int step = 0; step < 2200; step++) {
 		double slope;
@@ -51,13 +55,22 @@ static double bracketed_root(
 			lo = x;
 		else
 			hi = x;
-		double next = x - value / slope;
+		double next = x - value / slope, moved = fabs(next - x);
+		const double lost = fmax(DBL_EPSILON * fabs(x), enough);
 		/* written so that no number (slope 0) also halves */
-		if (!(next > lo && next < hi && fabs(next - x) < 0.5 * before))
+		if (next > lo && next < hi && moved < 0.5 * before) {
+			/* Newton's steps shrink like squares: what the next would be */
+			if (!halved && moved * moved * moved <= lost * before * before)
+				return next;
+			halved = false;
+		} else {
 			next = 0.5 * (lo + hi);
-		before = fabs(next - x);
-		if (before <= DBL_EPSILON * fabs(x) || next == x)
+			moved = fabs(next - x);
+			halved = true;
+		}
+		if (moved <= DBL_EPSILON * fabs(x) || next == x)
 			return next;
+		before = moved;
 		x = next;
 	}
 	return x;
@@ -91,20 +104,136 @@ static unsigned quadratic_crossings(const double *k, double lo, double hi, doubl
 	return put_if_inside(fmax(x1, x2), lo, hi, roots, count);
 }
 
-static unsigned crossings(
-	const double *c, unsigned degree, double lo, double hi, bool first_only, double *roots);
+/* ---- brackets ---- */
 
-/* The ends of the interval and between them the turning points. */
-static unsigned turning_points(
-	const double *c, unsigned degree, double lo, double hi, double *points)
+/* Where a sign changes: one root lies between `from` and `to`. */
+struct bracket {
+	double from, to;
+	bool positive_at_from;
+	bool from_turns, to_turns; /* whether these are turning points */
+};
+
+/* A polynomial on its way from lo to hi. */
+struct level {
+	double c[POLYNOMIAL_MAX_DEGREE + 1];
+	double at;     /* how far it has come, with no change of sign to come before */
+	bool positive; /* its sign there */
+	bool turns;    /* `at` is a turning point */
+	bool done;
+};
+
+/* The derivatives of a polynomial down to the quadratic one, whose roots are known. */
+struct search {
+	struct level level[POLYNOMIAL_MAX_DEGREE + 1]; /* by degree; from 3 */
+	double quadratic[2];
+	unsigned quadratic_count, quadratic_next;
+	bool quadratic_positive; /* before the next root */
+	double hi;
+	double enough; /* error of turning points that does no harm */
+};
+
+static double curvature(const double *c, unsigned degree, double x)
 {
-	double derivative[POLYNOMIAL_MAX_DEGREE + 1];
-	for (unsigned i = 1; i <= degree; i++)
-		derivative[i - 1] = i * c[i];
-	points[0] = lo;
-	const unsigned count = 1 + crossings(derivative, degree - 1, lo, hi, false, points + 1);
-	points[count] = hi;
-	return count + 1;
+	double value = 0;
+	for (unsigned i = degree; i >= 2; i--)
+		value = value * x + i * (i - 1) * c[i];
+	return value;
+}
+
+/* A parabola through a turning point tells about where the root is; else no number. */
+static double bracket_guess(const double *c, unsigned degree, const struct bracket *b)
+{
+	if (!b->to_turns && !b->from_turns)
+		return NAN;
+	const double turn = b->to_turns ? b->to : b->from;
+	const double away =
+		sqrt(-2 * polynomial_value(c, degree, turn) / curvature(c, degree, turn));
+	return b->to_turns ? turn - away : turn + away;
+}
+
+static double bracket_root(
+	const struct search *s, unsigned degree, const struct bracket *b, double enough)
+{
+	if (degree == 2)
+		return b->to;
+	const double *c = s->level[degree].c;
+	return bracketed_root(c, degree, b->from, b->to, b->positive_at_from,
+		bracket_guess(c, degree, b), enough);
+}
+
+/* The next change of sign of the derivative of the given degree. Turning points between which it
+ * cannot change sign, maxima of what is positive, are not even computed. */
+static bool next_bracket(struct search *s, unsigned degree, struct bracket *b)
+{
+	if (degree == 2) {
+		if (s->quadratic_next == s->quadratic_count)
+			return false;
+		b->to = s->quadratic[s->quadratic_next++];
+		b->positive_at_from = s->quadratic_positive;
+		s->quadratic_positive = !s->quadratic_positive;
+		return true;
+	}
+	struct level *l = &s->level[degree];
+	while (!l->done) {
+		struct bracket turn;
+		const bool turns = next_bracket(s, degree - 1, &turn);
+		if (turns && turn.positive_at_from == l->positive)
+			continue;
+		const double to = turns ? bracket_root(s, degree - 1, &turn, s->enough) : s->hi;
+		*b = (struct bracket){ l->at, to, l->positive, l->turns, turns };
+		l->at = to;
+		l->turns = turns;
+		l->positive = polynomial_value(l->c, degree, to) >= 0;
+		l->done = !turns;
+		if (l->positive != b->positive_at_from)
+			return true;
+	}
+	return false;
+}
+
+/* The exponent of x: |x| < 2^(exponent + 1), and >= 2^exponent unless x is subnormal. */
+static int exponent(double x)
+{
+	uint64_t bits;
+	memcpy(&bits, &x, sizeof bits);
+	return (int)(bits >> 52 & 0x7ff) - 1023;
+}
+
+/* All roots are nearer to 0: twice the greatest |c[n - k] / c[n]|^(1/k) (Fujiwara 1916), with
+ * the quotients rounded up to powers of two. */
+static double root_bound(const double *c, unsigned degree)
+{
+	const int top = exponent(c[degree]);
+	if (top == -1023)
+		return INFINITY;
+	int most = -1023;
+	for (unsigned k = 1; k <= degree; k++) {
+		const int quotient = exponent(c[degree - k]) + 1 - top, n = (int)k;
+		const int root = quotient >= 0 ? (quotient + n - 1) / n : -(-quotient / n);
+		if (c[degree - k] != 0 && root > most)
+			most = root;
+	}
+	return ldexp(2, most);
+}
+
+/* Prepares the search for roots of c, degree 3 or more, between lo and hi. */
+static void search_set(struct search *s, const double *c, unsigned degree, double lo, double hi)
+{
+	for (unsigned i = 0; i <= degree; i++)
+		s->level[degree].c[i] = c[i];
+	for (unsigned n = degree; n > 2; n--) {
+		for (unsigned i = 1; i <= n; i++)
+			s->level[n - 1].c[i - 1] = i * s->level[n].c[i];
+		s->level[n].at = lo;
+		s->level[n].positive = polynomial_value(s->level[n].c, n, lo) >= 0;
+		s->level[n].turns = s->level[n].done = false;
+	}
+	const double *quadratic = s->level[2].c;
+	s->quadratic_count = quadratic_crossings(quadratic, lo, hi, s->quadratic);
+	s->quadratic_next = 0;
+	s->quadratic_positive = polynomial_value(quadratic, 2, lo) >= 0;
+	s->hi = hi;
+	s->enough = 1e-10 * (hi - lo);
 }
 
 static unsigned crossings(
@@ -118,19 +247,19 @@ static unsigned crossings(
 		return put_if_inside(-c[0] / c[1], lo, hi, roots, 0);
 	if (degree == 2)
 		return quadratic_crossings(c, lo, hi, roots);
-	double points[POLYNOMIAL_MAX_DEGREE + 2];
-	const unsigned count = turning_points(c, degree, lo, hi, points);
+	const double bound = root_bound(c, degree);
+	lo = fmax(lo, -bound);
+	hi = fmin(hi, bound);
+	if (!(lo < hi))
+		return 0;
+	struct search s;
+	struct bracket b;
 	unsigned found = 0;
-	bool positive = polynomial_value(c, degree, lo) >= 0;
-	for (unsigned i = 1; i < count; i++) {
-		const bool next = polynomial_value(c, degree, points[i]) >= 0;
-		if (next != positive) {
-			roots[found++] =
-				bracketed_root(c, degree, points[i - 1], points[i], positive);
-			if (first_only)
-				return found;
-		}
-		positive = next;
+	search_set(&s, c, degree, lo, hi);
+	while (next_bracket(&s, degree, &b)) {
+		roots[found++] = bracket_root(&s, degree, &b, 0);
+		if (first_only)
+			break;
 	}
 	return found;
 }
@@ -147,6 +276,19 @@ bool polynomial_first_crossing(const double *c, unsigned degree, double lo, doub
 		return false;
 	*root = roots[0];
 	return true;
+}
+
+/* The ends of the interval and between them the turning points. */
+static unsigned turning_points(
+	const double *c, unsigned degree, double lo, double hi, double *points)
+{
+	double derivative[POLYNOMIAL_MAX_DEGREE + 1];
+	for (unsigned i = 1; i <= degree; i++)
+		derivative[i - 1] = i * c[i];
+	points[0] = lo;
+	const unsigned count = 1 + crossings(derivative, degree - 1, lo, hi, false, points + 1);
+	points[count] = hi;
+	return count + 1;
 }
 
 unsigned polynomial_roots(const double *c, unsigned degree, double lo, double hi, double *roots)
@@ -169,8 +311,8 @@ unsigned polynomial_roots(const double *c, unsigned degree, double lo, double hi
 		if (touches)
 			roots[found++] = points[i];
 		else if ((value >= 0) != positive && !touched)
-			roots[found++] =
-				bracketed_root(c, degree, points[i - 1], points[i], positive);
+			roots[found++] = bracketed_root(
+				c, degree, points[i - 1], points[i], positive, NAN, 0);
 		touched = touches;
 		positive = value >= 0;
 	}
