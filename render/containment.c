@@ -22,44 +22,48 @@ const struct interior *object_interior(const struct object *object)
 
 static const struct interior *const *members(const struct containment *c)
 {
-	return c->count > CONTAINMENT_INLINE ? c->spill : c->own;
+	return c->room ? c->spill : c->own;
 }
 
-static void replace(struct containment *c, const struct interior *const *items, uint32_t count,
-	struct arena *arena)
+struct containment containment_borrow(const struct containment *c)
 {
-	if (count > CONTAINMENT_INLINE)
-		c->spill = arena_copy(arena, items, count * sizeof *items);
-	else
-		memcpy(c->own, items, count * sizeof *items);
-	c->count = count;
+	struct containment copy = *c;
+	copy.borrowed = true;
+	return copy;
+}
+
+/* Moves the list to an array of its own with room for `room`. */
+static void move_out(struct containment *c, uint32_t room, struct arena *arena)
+{
+	const struct interior **grown = ARENA_ARRAY(arena, room, const struct interior *);
+	memcpy(grown, members(c), c->count * sizeof *grown);
+	c->spill = grown;
+	c->room = room;
+	c->borrowed = false;
+}
+
+/* Makes the list changeable, with room for one more. */
+static const struct interior **writable(struct containment *c, struct arena *arena)
+{
+	if (c->room == 0 && c->count < CONTAINMENT_INLINE)
+		return c->own;
+	if (c->count >= c->room || c->borrowed)
+		move_out(c, 2 * (c->count + 1), arena);
+	return c->spill;
 }
 
 static void append(struct containment *c, const struct interior *interior, struct arena *arena)
 {
-	if (c->count < CONTAINMENT_INLINE) {
-		c->own[c->count++] = interior;
-		return;
-	}
-	const struct interior **grown = ARENA_ARRAY(arena, c->count + 1, const struct interior *);
-	memcpy(grown, members(c), c->count * sizeof *grown);
-	grown[c->count++] = interior;
-	c->spill = grown;
+	writable(c, arena)[c->count] = interior;
+	c->count++;
 }
 
 static void take_out(struct containment *c, uint32_t index, struct arena *arena)
 {
-	const struct interior *const *old = members(c);
-	if (c->count <= CONTAINMENT_INLINE) {
-		for (uint32_t i = index; i + 1 < c->count; i++)
-			c->own[i] = c->own[i + 1];
-		c->count--;
-		return;
-	}
-	const struct interior **kept = ARENA_ARRAY(arena, c->count, const struct interior *);
-	memcpy(kept, old, index * sizeof *kept);
-	memcpy(kept + index, old + index + 1, (c->count - index - 1) * sizeof *kept);
-	replace(c, kept, c->count - 1, arena);
+	const struct interior **items = c->room ? writable(c, arena) : c->own;
+	for (uint32_t i = index; i + 1 < c->count; i++)
+		items[i] = items[i + 1];
+	c->count--;
 }
 
 bool containment_has(const struct containment *c, const struct interior *interior)

@@ -100,6 +100,8 @@ void passage_follow(
 	struct worker *w, const struct point *at, const struct passage *passage, struct path *path)
 {
 	struct path next = *at->path;
+	if (path != at->path)
+		next.inside.borrowed = true;
 	next.ray = (ray){ at->surface.point, passage->direction };
 	next.weight *= passage->weight;
 	next.straight = passage->straight;

@@ -204,7 +204,7 @@ static float raise(float base, float exponent)
 static rgb reflection_trace(struct worker *w, const struct point *at, const struct reflection *r)
 {
 	const struct finish *f = r->finish;
-	struct path path = { .inside = at->path->inside,
+	struct path path = { .inside = containment_borrow(&at->path->inside),
 		.level = at->path->level,
 		.weight = at->path->weight * r->weight,
 		.kind = RAY_REFLECTED };

@@ -26,13 +26,14 @@ struct seen {
 	float transmit; /* share of what is behind the picture */
 };
 
-/* The interiors a ray is in, in the order of entering. Copied by value: lists too long for the
- * struct live in an arena and are never changed in place. */
+/* The interiors a ray is in, in the order of entering. Lists too long for the struct live in an
+ * arena; a copy of such a list is marked as borrowed and gets an array of its own when it changes. */
 enum { CONTAINMENT_INLINE = 4 };
 struct containment {
-	uint32_t count;
+	uint32_t count, room; /* room: of spill */
+	bool borrowed;	      /* spill belongs to the list this is a copy of */
 	const struct interior *own[CONTAINMENT_INLINE];
-	const struct interior *const *spill; /* all of them when count > CONTAINMENT_INLINE */
+	const struct interior **spill; /* all of them, if room > 0 */
 };
 
 /* One ray of the tree. */
@@ -94,6 +95,7 @@ struct worker {
 	unsigned width, height;
 	struct arena *arena;	     /* as long as the worker */
 	struct arena *scratch;	     /* as long as a sample */
+	struct arena *shadow;	     /* as long as a shadow ray */
 	const struct light **lights; /* those that are in no group */
 	size_t light_count;
 	struct containment at_camera;
@@ -217,6 +219,8 @@ void passage_follow(struct worker *, const struct point *, const struct passage 
 /* ---- containment.c ---- */
 
 const struct interior *object_interior(const struct object *);
+/* A copy to be changed on its own, while the original stays as it is. */
+struct containment containment_borrow(const struct containment *);
 bool containment_has(const struct containment *, const struct interior *);
 /* Removes the interior if it is there, appends it if not. */
 void containment_toggle(struct containment *, const struct interior *, struct arena *);

@@ -82,7 +82,7 @@ static double just_above(double t)
 static rgb tinted(struct worker *w, const struct light *light, const struct point *at, ray r,
 	double limit, double distance, rgb arriving)
 {
-	struct containment inside = at->path->inside;
+	struct containment inside = containment_borrow(&at->path->inside);
 	double from = 0;
 	struct hit hit;
 	while (w->scene->has_tinted_shadows && !rgb_is_zero(arriving) &&
@@ -90,11 +90,13 @@ static rgb tinted(struct worker *w, const struct light *light, const struct poin
 			RAY_SHADOW_TINTED, &hit)) {
 		arriving = rgb_mul(arriving, crossing_tint(w, &hit, r, hit.t - from, &inside));
 		arriving = fogged(w, light, r, from, hit.t, &inside, arriving);
-		containment_toggle(&inside, object_interior(hit.object), w->scratch);
+		containment_toggle(&inside, object_interior(hit.object), w->shadow);
 		from = hit.t;
 	}
 	if (distance - from > T_SHADOW)
 		arriving = fogged(w, light, r, from, distance, &inside, arriving);
+	if (arena_used(w->shadow) > 0)
+		arena_reset(w->shadow);
 	return arriving;
 }
 

@@ -40,6 +40,7 @@ struct worker *worker_create(const struct scene *scene, unsigned width, unsigned
 	*w = (struct worker){ .scene = scene, .width = width, .height = height };
 	w->arena = arena_create(0);
 	w->scratch = arena_create(0);
+	w->shadow = arena_create(0);
 	gather_lights(w);
 	w->origin_moves = scene->camera.type == CAMERA_ORTHOGRAPHIC;
 	if (!w->origin_moves)
@@ -57,6 +58,7 @@ void worker_destroy(struct worker *w)
 	free(w->grid);
 	arena_destroy(w->arena);
 	arena_destroy(w->scratch);
+	arena_destroy(w->shadow);
 	free(w);
 }
 
@@ -137,8 +139,8 @@ colour trace_sample(struct worker *w, double x, double y)
 	w->stats.camera_rays++;
 	w->sample_key = random_key(x, y);
 	w->draws = 0;
-	path.inside =
-		w->origin_moves ? containment_at(scene, path.ray.origin, w->scratch) : w->at_camera;
+	path.inside = w->origin_moves ? containment_at(scene, path.ray.origin, w->scratch)
+				      : containment_borrow(&w->at_camera);
 
 	const struct seen seen = trace_path(w, &path);
 	if (arena_used(w->scratch) > 0)
