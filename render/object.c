@@ -59,16 +59,42 @@ static bool inside_all(const struct object *const *objects, uint32_t count, vec3
 	return true;
 }
 
-/* Whether the ray meets every object of bounded_by, or starts inside. */
+/* Whether the ray meets the object, or starts inside. */
+static bool meets(const struct object *o, const ray *r)
+{
+	if (o->has_chord && !o->inverted) {
+		struct chord c;
+		return object_chord(o, r, &c) &&
+		       (c.t[0] >= T_MIN || c.t[1] >= T_MIN || (c.t[0] < 0 && c.t[1] > 0));
+	}
+	struct hit hit;
+	return object_nearest(o, r, T_MIN, T_MISS, &hit) || object_inside(o, r->origin);
+}
+
 static bool within_bounds(const struct object *o, const ray *r)
 {
 	for (uint32_t i = 0; i < o->bound_count; i++) {
-		struct hit hit;
-		if (!object_nearest(o->bounds_by[i], r, T_MIN, T_MISS, &hit) &&
-			!object_inside(o->bounds_by[i], r->origin))
+		if (!meets(o->bounds_by[i], r))
 			return false;
 	}
 	return true;
+}
+
+/* Cuts off what no hit inside the clips can be in; false if that is everything. Only a first cut:
+ * what is near the surface of a clip is left to inside_all. */
+static bool narrow_to_clips(const struct object *o, const ray *r, double *tmin, double *tmax)
+{
+	for (uint32_t i = 0; i < o->clip_count; i++) {
+		const struct object *clip = o->clips[i];
+		if (!clip->has_chord || clip->inverted)
+			continue;
+		struct chord c;
+		if (!object_chord(clip, r, &c))
+			return false;
+		*tmin = fmax(*tmin, c.t[0] - CHORD_SLACK * (1 + fabs(c.t[0])));
+		*tmax = fmin(*tmax, c.t[1] + CHORD_SLACK * (1 + fabs(c.t[1])));
+	}
+	return *tmin < *tmax;
 }
 
 /* ---- rays ---- */
@@ -103,6 +129,8 @@ void object_hits(const struct object *o, const ray *r, double tmin, double tmax,
 {
 	if (o->bound_count && !within_bounds(o, r))
 		return;
+	if (o->clip_count && !narrow_to_clips(o, r, &tmin, &tmax))
+		return;
 	const size_t first = out->count;
 	shape_hits(o, r, tmin, tmax, out);
 	if (o->clip_count)
@@ -117,7 +145,7 @@ static bool nearest_of_hits(
 	struct hit buffer[HITS_ROOM];
 	struct hits hits;
 	hits_init(&hits, buffer, HITS_ROOM);
-	object_hits(o, r, nextafter(tmin, -INFINITY), tmax, &hits);
+	object_hits(o, r, double_before(tmin), tmax, &hits);
 	const struct hit *best = NULL;
 	for (size_t i = 0; i < hits.count; i++) {
 		if (!best || hits.items[i].t <= best->t)
@@ -152,13 +180,15 @@ static bool nearest_clipped(
 {
 	if (o->bound_count && !within_bounds(o, r))
 		return false;
+	if (!narrow_to_clips(o, r, &tmin, &tmax))
+		return false;
 	struct hit hit;
 	while (nearest_on_shape(o, r, tmin, tmax, &hit)) {
 		if (inside_all(o->clips, o->clip_count, ray_at(*r, hit.t))) {
 			*found = hit;
 			return true;
 		}
-		tmin = nextafter(hit.t, INFINITY);
+		tmin = double_after(hit.t);
 	}
 	return false;
 }
@@ -183,6 +213,14 @@ bool object_inside(const struct object *o, vec3 p)
 	if (o->shape->inside(o->self, local) == o->inverted)
 		return false;
 	return inside_all(o->clips, o->clip_count, p);
+}
+
+bool object_chord(const struct object *o, const ray *r, struct chord *chord)
+{
+	if (!o->place)
+		return o->shape->chord(o->self, r, chord);
+	const ray local = transform_ray_back(o->place, *r);
+	return o->shape->chord(o->self, &local, chord);
 }
 
 bool object_is_solid(const struct object *o)
@@ -262,6 +300,9 @@ static box cut_box(box b, const struct object *const *objects, uint32_t count)
 
 void object_set_bounds(struct object *o)
 {
+	const struct shape_class *shape = o->shape;
+	o->has_chord = shape->chord && o->clip_count == 0 &&
+		       (!shape->has_chord || shape->has_chord(o->self));
 	box b = o->shape->bounds(o->self);
 	if (o->place && !box_is_empty(b))
 		b = transform_box(o->place, b);

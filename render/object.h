@@ -53,6 +53,7 @@ struct object {
 	bool inverted;	     /* `inverse`: complement, normal negated */
 	bool hollow, double_illuminate;
 	bool uv_mapping;
+	bool has_chord;		   /* object_chord may be asked; set with the bounds */
 	bool normal_stays;	   /* raw normal is not negated by `inverted` (quadric) */
 	const transform *uv_place; /* what a shape with uv coordinates has absorbed, or NULL */
 	const struct texture *texture, *interior_texture;
@@ -69,6 +70,16 @@ struct hit {
 	uint32_t part;		     /* for the shape: face, contour, triangle … */
 	double u, v;		     /* for the shape: barycentrics, spline parameter … */
 };
+
+/* Where a ray is inside something convex: between t[0] and t[1], infinite where that does not end.
+ * The finite ends are hits, with these parts. */
+struct chord {
+	double t[2];
+	uint32_t part[2];
+};
+/* What is nearer to an end of a chord than this share of 1 + t is decided by its point alone: there
+ * surfaces may coincide, and shapes have a skin. */
+#define CHORD_SLACK 1e-9
 
 /* A growing list of hits. Zero-initialise, or hits_init with a buffer of the caller, which spares
  * the allocation in all usual cases; release with hits_release. */
@@ -90,6 +101,9 @@ void object_hits(const struct object *, const ray *, double tmin, double tmax, s
  * of one object the crossing generated last wins. */
 bool object_nearest(
 	const struct object *, const ray *, double tmin, double tmax, struct hit *found);
+/* Where the ray is inside the shape, inversion left aside; false if it misses. Only where has_chord
+ * is set: the object is convex and not clipped. */
+bool object_chord(const struct object *, const ray *, struct chord *);
 /* Inversion and clips included. Always false for patches. */
 bool object_inside(const struct object *, vec3 p);
 /* Whether the object has an inside at all. */

@@ -14,6 +14,8 @@
 #include "base/arena.h"
 #include "render/object.h"
 
+#include <string.h>
+
 /* The values written between the braces before any modifier, in order, and the flag words. */
 enum param_type {
 	PARAM_TYPE_END,
@@ -91,6 +93,13 @@ struct shape_class {
 	bool (*nearest)(const void *self, const ray *, double tmin, double tmax, struct hit *);
 	/* Every crossing with tmin < t < tmax. */
 	void (*hits)(const void *self, const ray *, double tmin, double tmax, struct hits *);
+	/* For convex shapes with an inside: where the ray is inside, as near as `inside` can tell;
+	 * false if it misses. */
+	bool (*chord)(const void *self, const ray *, struct chord *);
+	/* Whether chord may be asked of this instance. NULL: always. */
+	bool (*has_chord)(const void *self);
+	/* For shapes that are half-spaces: the points with normal . p <= distance. */
+	void (*half_space)(const void *self, vec3 *normal, double *distance);
 	/* On-surface points as in objects.md 8.2. NULL for patches. */
 	bool (*inside)(const void *self, vec3 p);
 	/* Outward, any length. */
@@ -100,6 +109,20 @@ struct shape_class {
 	void (*uv)(const void *self, const struct hit *, vec3 p, const transform *absorbed,
 		double uv[2]);
 };
+
+/* The neighbours of t among the doubles. */
+static inline double double_after(double t)
+{
+	uint64_t bits;
+	memcpy(&bits, &t, sizeof bits);
+	bits = t > 0 ? bits + 1 : t < 0 ? bits - 1 : 1;
+	memcpy(&t, &bits, sizeof t);
+	return t;
+}
+static inline double double_before(double t)
+{
+	return -double_after(-t);
+}
 
 /* The class of a scene-language word, or NULL. */
 const struct shape_class *shape_find(const char *word);

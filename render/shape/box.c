@@ -121,6 +121,16 @@ static void box_hits(const void *self, const ray *r, double tmin, double tmax, s
 		hits_push(out, s.far)->part = face_at(s.out, s.far, true, r);
 }
 
+static bool box_chord(const void *self, const ray *r, struct chord *chord)
+{
+	struct slabs s;
+	if (!box_slabs(self, r, &s))
+		return false;
+	*chord = (struct chord){ { s.near, s.far },
+		{ face_at(s.in, s.near, false, r), face_at(s.out, s.far, true, r) } };
+	return true;
+}
+
 static bool box_inside(const void *self, vec3 p)
 {
 	const struct box_shape *b = self;
@@ -181,6 +191,7 @@ const struct shape_class shape_box = {
 	.bounds = box_bounds,
 	.nearest = box_nearest,
 	.hits = box_hits,
+	.chord = box_chord,
 	.inside = box_inside,
 	.normal = box_normal,
 	.uv = box_uv,

@@ -199,6 +199,28 @@ static void cone_hits(const void *self, const ray *r, double tmin, double tmax, 
 	}
 }
 
+/* A tube is not convex, nor is a cone on both sides of its tip. */
+static bool cone_has_chord(const void *self)
+{
+	const struct cone *c = self;
+	return !c->is_open && c->base >= 0 && c->base + c->slope >= 0;
+}
+
+static bool cone_chord(const void *self, const ray *r, struct chord *chord)
+{
+	struct crossing crossings[4];
+	const unsigned n = cone_crossings(self, r, crossings);
+	if (n == 0)
+		return false;
+	const struct crossing *in = crossings, *out = crossings;
+	for (unsigned i = 1; i < n; i++) {
+		in = crossings[i].t <= in->t ? &crossings[i] : in;
+		out = crossings[i].t >= out->t ? &crossings[i] : out;
+	}
+	*chord = (struct chord){ { in->t, out->t }, { (uint32_t)in->part, (uint32_t)out->part } };
+	return true;
+}
+
 static bool cone_inside(const void *self, vec3 world)
 {
 	const struct cone *c = self;
@@ -232,6 +254,8 @@ const struct shape_class shape_cylinder = {
 	.bounds = cone_bounds,
 	.nearest = cone_nearest,
 	.hits = cone_hits,
+	.chord = cone_chord,
+	.has_chord = cone_has_chord,
 	.inside = cone_inside,
 	.normal = cone_normal,
 };
@@ -245,6 +269,8 @@ const struct shape_class shape_cone = {
 	.bounds = cone_bounds,
 	.nearest = cone_nearest,
 	.hits = cone_hits,
+	.chord = cone_chord,
+	.has_chord = cone_has_chord,
 	.inside = cone_inside,
 	.normal = cone_normal,
 };

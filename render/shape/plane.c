@@ -96,6 +96,24 @@ static void plane_hits(const void *self, const ray *r, double tmin, double tmax,
 		hits_push(out, t);
 }
 
+static bool plane_chord(const void *self, const ray *r, struct chord *chord)
+{
+	const struct plane *pl = self;
+	const double height = pl->distance - vec_dot(pl->normal, r->origin);
+	const double speed = vec_dot(pl->normal, r->direction);
+	const double t = height / speed;
+	*chord =
+		(struct chord){ { speed < 0 ? t : -INFINITY, speed > 0 ? t : INFINITY }, { 0, 0 } };
+	return speed != 0 || height > -SKIN;
+}
+
+static void plane_half_space(const void *self, vec3 *normal, double *distance)
+{
+	const struct plane *pl = self;
+	*normal = pl->normal;
+	*distance = pl->distance;
+}
+
 static bool plane_inside(const void *self, vec3 p)
 {
 	const struct plane *pl = self;
@@ -120,6 +138,8 @@ const struct shape_class shape_plane = {
 	.bounds = plane_bounds,
 	.nearest = plane_nearest,
 	.hits = plane_hits,
+	.chord = plane_chord,
+	.half_space = plane_half_space,
 	.inside = plane_inside,
 	.normal = plane_normal,
 };

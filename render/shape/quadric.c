@@ -10,7 +10,9 @@
 struct quadric {
 	vec3 squares, mixed, linear;
 	double constant;
-	vec3 near; /* built: a point the quadric lies around, its centre if it has one */
+	/* built: */
+	vec3 near;	/* a point the quadric lies around, its centre if it has one */
+	bool is_convex; /* ellipsoid, elliptic cylinder or paraboloid, not inside out */
 };
 
 static const struct param quadric_params[] = { PARAM_VECTOR("the coefficients of the squares",
@@ -62,10 +64,23 @@ static void quadric_find_centre(struct quadric *q)
 	}
 }
 
+/* Whether the quadratic part is nowhere negative, up to rounding: its principal minors tell. */
+static void quadric_find_convexity(struct quadric *q)
+{
+	const vec3 s = q->squares, m = vec_scale(q->mixed, 0.5);
+	const double size = fabs(s.x) + fabs(s.y) + fabs(s.z) + fabs(m.x) + fabs(m.y) + fabs(m.z);
+	const double least = -1e-12 * size, least2 = least * size, least3 = least2 * size;
+	vec3 adjugate[3];
+	q->is_convex = quadric_adjugate(q, adjugate) >= least3 && s.x >= least && s.y >= least &&
+		       s.z >= least && s.x * s.y - m.x * m.x >= least2 &&
+		       s.x * s.z - m.y * m.y >= least2 && s.y * s.z - m.z * m.z >= least2;
+}
+
 static void quadric_build(void *self, struct shape_build *build)
 {
 	(void)build;
 	quadric_find_centre(self);
+	quadric_find_convexity(self);
 }
 
 /* With rows of the inverse as directions, x' = x M gives the form M⁻¹ Q M⁻ᵀ. */
@@ -88,6 +103,7 @@ static bool quadric_absorb(void *self, const transform *t)
 	q->linear = vec(vec_dot(row[0], slope), vec_dot(row[1], slope), vec_dot(row[2], slope));
 	q->constant = quadric_value(&old, origin);
 	quadric_find_centre(q);
+	quadric_find_convexity(q);
 	return true;
 }
 
@@ -114,23 +130,32 @@ static box quadric_bounds(const void *self)
 	return (box){ vec_sub(q->near, room), vec_add(q->near, room) };
 }
 
-static unsigned quadric_roots(const struct quadric *q, const ray *r, double t[2])
+/* The quadric along a ray: a s² + 2 b s + c at the parameter start + s. */
+struct quadratic {
+	double start, a, b, c;
+};
+
+static inline struct quadratic along_ray(const struct quadric *q, const ray *r)
 {
-	const vec3 d = r->direction;
+	const vec3 d = r->direction, image = quadric_times(q, d);
 	const double start = -vec_dot(vec_sub(r->origin, q->near), d) / vec_length2(d);
-	const vec3 o = ray_at(*r, start), image = quadric_times(q, d);
-	const double a = vec_dot(d, image);
-	const double b = vec_dot(o, image) + 0.5 * vec_dot(q->linear, d);
-	const double c = quadric_value(q, o);
-	const double discriminant = b * b - a * c;
+	const vec3 o = ray_at(*r, start);
+	return (struct quadratic){ start, vec_dot(d, image),
+		vec_dot(o, image) + 0.5 * vec_dot(q->linear, d), quadric_value(q, o) };
+}
+
+static inline unsigned quadric_roots(const struct quadric *q, const ray *r, double t[2])
+{
+	const struct quadratic f = along_ray(q, r);
+	const double discriminant = f.b * f.b - f.a * f.c;
 	if (!(discriminant >= 0))
 		return 0;
-	const double root = -(b + copysign(sqrt(discriminant), b));
+	const double root = -(f.b + copysign(sqrt(discriminant), f.b));
 	unsigned n = 0;
-	if (a != 0)
-		t[n++] = start + root / a;
+	if (f.a != 0)
+		t[n++] = f.start + root / f.a;
 	if (root != 0)
-		t[n++] = start + c / root;
+		t[n++] = f.start + f.c / root;
 	return n;
 }
 
@@ -159,6 +184,35 @@ static void quadric_hits(const void *self, const ray *r, double tmin, double tma
 	}
 }
 
+static bool quadric_has_chord(const void *self)
+{
+	const struct quadric *q = self;
+	return q->is_convex;
+}
+
+static bool quadric_chord(const void *self, const ray *r, struct chord *chord)
+{
+	const struct quadric *q = self;
+	const struct quadratic f = along_ray(q, r);
+	const vec3 s = q->squares;
+	*chord = (struct chord){ { -INFINITY, INFINITY }, { 0, 0 } };
+	if (f.a <= 1e-14 * (s.x + s.y + s.z) * vec_length2(r->direction)) { /* along the axis */
+		if (f.b == 0)
+			return f.c <= 0;
+		chord->t[f.b > 0] = f.start - 0.5 * f.c / f.b;
+		return true;
+	}
+	const double discriminant = f.b * f.b - f.a * f.c;
+	if (!(discriminant >= 0))
+		return false;
+	const double root = -(f.b + copysign(sqrt(discriminant), f.b));
+	const double t1 = f.start + root / f.a;
+	const double t2 = root != 0 ? f.start + f.c / root : t1;
+	chord->t[0] = fmin(t1, t2);
+	chord->t[1] = fmax(t1, t2);
+	return true;
+}
+
 static bool quadric_inside(const void *self, vec3 p)
 {
 	return quadric_value(self, p) <= 0;
@@ -182,6 +236,8 @@ const struct shape_class shape_quadric = {
 	.bounds = quadric_bounds,
 	.nearest = quadric_nearest,
 	.hits = quadric_hits,
+	.chord = quadric_chord,
+	.has_chord = quadric_has_chord,
 	.inside = quadric_inside,
 	.normal = quadric_normal,
 };

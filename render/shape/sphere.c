@@ -51,7 +51,7 @@ static bool sphere_enclosing_sphere(const void *self, vec3 *centre, double *radi
 }
 
 /* The two crossings; false when the ray misses or only touches. */
-static inline bool sphere_chord(const struct sphere *s, const ray *r, double t[2])
+static inline bool sphere_crossings(const struct sphere *s, const ray *r, double t[2])
 {
 	const vec3 from = vec_sub(r->origin, s->centre);
 	const double inverse = 1 / vec_length2(r->direction);
@@ -70,7 +70,7 @@ static bool sphere_nearest(
 	const void *self, const ray *r, double tmin, double tmax, struct hit *found)
 {
 	double t[2];
-	if (!sphere_chord(self, r, t) || t[1] < tmin)
+	if (!sphere_crossings(self, r, t) || t[1] < tmin)
 		return false;
 	const double first = t[0] >= tmin ? t[0] : t[1];
 	if (!(first < tmax))
@@ -82,12 +82,18 @@ static bool sphere_nearest(
 static void sphere_hits(const void *self, const ray *r, double tmin, double tmax, struct hits *out)
 {
 	double t[2];
-	if (!sphere_chord(self, r, t))
+	if (!sphere_crossings(self, r, t))
 		return;
 	for (int i = 0; i < 2; i++) {
 		if (t[i] > tmin && t[i] < tmax)
 			hits_push(out, t[i]);
 	}
+}
+
+static bool sphere_chord(const void *self, const ray *r, struct chord *chord)
+{
+	chord->part[0] = chord->part[1] = 0;
+	return sphere_crossings(self, r, chord->t);
 }
 
 static bool sphere_inside(const void *self, vec3 p)
@@ -130,6 +136,7 @@ const struct shape_class shape_sphere = {
 	.enclosing_sphere = sphere_enclosing_sphere,
 	.nearest = sphere_nearest,
 	.hits = sphere_hits,
+	.chord = sphere_chord,
 	.inside = sphere_inside,
 	.normal = sphere_normal,
 	.uv = sphere_uv,
