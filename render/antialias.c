@@ -137,11 +137,18 @@ static void draw_border(struct sampler *s, struct block b, size_t stride)
 	}
 }
 
+static bool is_cancelled(const struct sampler *s)
+{
+	return s->cancelled && s->cancelled(s->cancelled_user);
+}
+
 static void block_flat(struct sampler *s, struct film *film, struct block b)
 {
 	const size_t stride = 1 + b.right - b.left;
 	draw_border(s, b, stride);
 	for (unsigned y = b.top; y < b.bottom; y++) {
+		if (is_cancelled(s))
+			return;
 		struct sample *row = &s->samples[(1 + y - b.top) * stride + 1];
 		for (unsigned x = b.left; x < b.right; x++) {
 			row[x - b.left] = draw(s, x, y);
@@ -230,6 +237,8 @@ static void block_recursive(struct sampler *s, struct film *film, struct block b
 			s->samples[(y - b.top) * stride + x - b.left] = draw(s, x - 0.5, y - 0.5);
 	}
 	for (unsigned y = b.top; y < b.bottom; y++) {
+		if (is_cancelled(s))
+			return;
 		const struct sample *upper = &s->samples[(y - b.top) * stride];
 		for (unsigned x = b.left; x < b.right; x++, upper++)
 			film->pixels[(size_t)y * film->width + x] =

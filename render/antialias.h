@@ -28,6 +28,8 @@ typedef colour sample_source(void *user, double x, double y);
 struct sampler {
 	sample_source *source;
 	void *user;
+	bool (*cancelled)(void *); /* asked for each row of pixels; NULL: never */
+	void *cancelled_user;
 	struct antialias settings;
 	bool encodes, decodes_srgb; /* how comparisons see colours */
 	float exponent;
@@ -42,7 +44,8 @@ struct sampler {
 void sampler_init(struct sampler *, const struct antialias *, const struct working_space *,
 	unsigned block_size, sample_source *, void *user);
 void sampler_finish(struct sampler *);
-/* Fills the pixels of the block, reading no others: blocks do not depend on each other. */
+/* Fills the pixels of the block, reading no others: blocks do not depend on each other. A
+ * cancelled block is left unfinished. */
 void sampler_block(struct sampler *, struct film *, struct block);
 
 #endif

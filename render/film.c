@@ -61,13 +61,27 @@ static struct block block_at(const struct session *s, size_t index)
 static void report(struct session *s)
 {
 	const struct exposure *e = s->exposure;
-	if (!e->progress)
+	if (!e->progress || atomic_load(&s->stop))
 		return;
 	pthread_mutex_lock(&s->lock);
 	s->done++;
 	if (!atomic_load(&s->stop) && !e->progress(e->user, s->done, s->columns * s->rows))
 		atomic_store(&s->stop, true);
 	pthread_mutex_unlock(&s->lock);
+}
+
+/* Between the rows of a block: a slow block must not keep a user waiting. */
+static bool is_stopped(void *user)
+{
+	struct session *s = user;
+	const struct exposure *e = s->exposure;
+	if (!atomic_load_explicit(&s->stop, memory_order_relaxed) && e->progress) {
+		pthread_mutex_lock(&s->lock);
+		if (!e->progress(e->user, s->done, s->columns * s->rows))
+			atomic_store(&s->stop, true);
+		pthread_mutex_unlock(&s->lock);
+	}
+	return atomic_load_explicit(&s->stop, memory_order_relaxed);
 }
 
 static void expose_block(void *user, size_t index, unsigned thread)
@@ -121,6 +135,8 @@ bool film_expose(struct film *film, const struct scene *scene, const struct expo
 		s.workers[i] = worker_create(scene, film->width, film->height);
 		sampler_init(&s.samplers[i], &e->antialias, &scene->settings.working, s.block_size,
 			sample_worker, s.workers[i]);
+		s.samplers[i].cancelled = is_stopped;
+		s.samplers[i].cancelled_user = &s;
 	}
 	pthread_mutex_init(&s.lock, NULL);
 	atomic_init(&s.stop, false);

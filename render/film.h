@@ -30,7 +30,8 @@ struct exposure {
 	unsigned left, top, right, bottom; /* region: first and one past the last pixel */
 	unsigned block_size;		   /* 32 */
 	unsigned threads;		   /* at least 1 */
-	/* Called after each block from one thread at a time; false: stop. May be NULL. */
+	/* Called after each block, and between the rows of slow ones, from one thread at a time;
+	 * false: stop. May be NULL. */
 	bool (*progress)(void *user, unsigned blocks_done, unsigned blocks);
 	void *user;
 };
