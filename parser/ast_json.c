@@ -45,7 +45,8 @@ static bool first_time(struct printer *j, const void *what)
 
 static void indent(const struct printer *j, unsigned depth)
 {
-	fprintf(j->out, "\n%*s", 2 * (int)depth, "");
+	enum { DEEPEST = 40 }; /* deeper levels are not moved further in */
+	fprintf(j->out, "\n%*s", 2 * (int)(depth < DEEPEST ? depth : DEEPEST), "");
 }
 
 /* -- Scalars ------------------------------------------------------------------------------ */

@@ -189,6 +189,8 @@ void set_charset(struct parser *, const struct node *);
 
 /* Primitives: the arguments are checked against a table. */
 struct node *shape_node(struct parser *, enum keyword, span whole, span word, struct body);
+/* Refuses items like `sturm` where they mean nothing. */
+void shape_check_items(struct parser *, const struct node *);
 struct body body_add(struct body, struct node *);
 struct node *shape_coefficients(struct parser *, enum keyword, span whole, span word, size_t start,
 	span at, struct node_list);
@@ -238,6 +240,8 @@ struct colour_parts *colour_part(
 /* To five terms rounded to float. */
 struct number colour_full(struct parser *, struct colour_value, span);
 struct number colour_rgb_only(struct parser *, struct colour_value, span);
+/* Refuses what is no colour: the place wants the word color or rgb. */
+struct colour_value colour_bare(struct parser *, struct colour_value, span);
 struct node *colour_node(struct parser *, struct number, span);
 struct node *colour_map_node(struct parser *, span whole, span word, struct node_list);
 struct colour_pair *colour_pair(struct parser *, struct colour_value, const struct colour_value *);

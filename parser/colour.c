@@ -120,6 +120,13 @@ struct number colour_rgb_only(struct parser *p, struct colour_value colour, span
 	return out;
 }
 
+struct colour_value colour_bare(struct parser *p, struct colour_value colour, span where)
+{
+	if (colour.number.terms != 5)
+		parser_error(p, where, "a colour needs the word rgb or color before it here");
+	return colour;
+}
+
 struct node *colour_node(struct parser *p, struct number number, span where)
 {
 	return node_number(p, K_COLOUR_VALUE, where, where, number, where);
@@ -182,7 +189,7 @@ struct node_list colour_map_entry(
 	for (size_t i = 0; i < numbers && i < 2; i++)
 		positions[i] = number_to_float(p, args[i].number, args[i].span);
 	g->arg_count = start;
-	if (numbers == 1 && count < 2)
+	if (numbers == 1 && count == 1)
 		return list_one(entry(p, whole, positions[0], colours[0]));
 	if (numbers != 2 || count != 2) {
 		parser_error(p, whole,

@@ -234,6 +234,8 @@ const struct expr *expr_binary(struct parser *p, enum expr_kind kind, const stru
 {
 	struct expr *e = make(p, kind, where);
 	const struct expr *const operands[2] = { a, b };
+	if (kind == EXPR_DIVIDE && b->kind == EXPR_CONSTANT && b->literal && b->constant == 0)
+		parser_error(p, where, "division by the constant zero");
 	set_operands(p, e, operands, 2);
 	return e;
 }

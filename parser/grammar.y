@@ -62,7 +62,7 @@
 
 %code {
 #define YYINITDEPTH 40
-#define YYMAXDEPTH 100000
+#define YYMAXDEPTH 10000 /* what walks the tree recurses as deep */
 #define YYLLOC_DEFAULT(Current, Rhs, N) \
 	((Current) = (N) ? span_join(YYRHSLOC(Rhs, 1), YYRHSLOC(Rhs, N)) : \
 			   (span){ YYRHSLOC(Rhs, 0).source, \
@@ -616,7 +616,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %type <real> float
 %type <start> one two three four sums vectors entry_values
 %type <text> string string_function
-%type <colour> colour marked_colour colour_items colour_words
+%type <colour> colour marked_colour bare_colour colour_items colour_words
 %type <number> rgb rgb_or_black five
 %type <parts> parts
 %type <pair> entry_colours
@@ -793,6 +793,13 @@ colour:
 marked_colour:
 	  colour_words
 	| KW_COLOR colour_items { $$ = $2; }
+	;
+/* An expression that is a colour without saying so: it must have been declared as one. */
+bare_colour:
+	  full %prec ENDS
+		{ $$ = colour_bare(p, (struct colour_value){ $1, NULL, true }, @$); }
+	| full parts %prec ENDS
+		{ $$ = colour_bare(p, (struct colour_value){ $1, $2, true }, @$); }
 	;
 colour_items:
 	  colour_words
@@ -1092,7 +1099,7 @@ default_item:
 
 /* ---------------------------------------------------------------- objects */
 
-%type <node> object object_block modifier parameter importance object_photon clip_block;
+%type <node> object object_block object_statement modifier parameter importance object_photon clip_block;
 %type <node> blob_item isosurface_item parametric_item julia_item contained mesh_item;
 %type <node> light_item light_photon group_item triangle_texture face_detail;
 %type <list> modifiers objects csg_members clip_items object_photons importance_items;
@@ -1117,7 +1124,8 @@ objects:
 	  %empty { $$ = list_none(); }
 	| objects object { $$ = list_add($1, $2); }
 	;
-object_block:
+object_block: object_statement { shape_check_items(p, $1); $$ = $1; } ;
+object_statement:
 	  KW_OBJECT '{' object modifiers '}'
 		{ $$ = node_block(p, K_OBJECT, @$, @1, list_join(list_one($3), $4)); }
 	| shape_word '{' T_OBJECT modifiers '}' { $$ = copy_node(p, $3, @3, @$, @1, $4); }
@@ -1543,7 +1551,8 @@ pigment_ref:
 	;
 pigment_first:
 	  %empty { $$ = list_none(); }
-	| colour { $$ = list_one(colour_node(p, colour_full(p, $1, @1), @1)); }
+	| marked_colour { $$ = list_one(colour_node(p, colour_full(p, $1, @1), @1)); }
+	| bare_colour { $$ = list_one(colour_node(p, colour_full(p, $1, @1), @1)); }
 	| pigment_special { $$ = list_one($1); }
 	;
 /* The same behind the value of a map entry, where an expression would be read as another value. */
@@ -1624,7 +1633,8 @@ density_ref:
 	;
 density_first:
 	  %empty { $$ = list_none(); }
-	| colour { $$ = list_one(colour_node(p, colour_full(p, $1, @1), @1)); }
+	| marked_colour { $$ = list_one(colour_node(p, colour_full(p, $1, @1), @1)); }
+	| bare_colour { $$ = list_one(colour_node(p, colour_full(p, $1, @1), @1)); }
 	| density_special { $$ = list_one($1); }
 	;
 density_entry:
@@ -2015,7 +2025,6 @@ fog_items:
 	  %empty { $$ = list_none(); }
 	| T_FOG { $$ = list_one(node_reference(p, $1, @1)); }
 	| fog_items fog_item { $$ = list_add($1, $2); }
-	| fog_items ',' { $$ = $1; }
 	;
 fog_item:
 	  fog_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }

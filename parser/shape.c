@@ -118,18 +118,70 @@ static void check_kinds(struct parser *p, enum keyword keyword, size_t start)
 	}
 }
 
-static void check_steps(struct parser *p, enum keyword keyword, struct node_list items)
+/* The items that only some primitives have, with these. */
+static const struct {
+	enum keyword item, shapes[12];
+} special_items[] = {
+	{ K_STURM, { K_BLOB, K_CUBIC, K_LATHE, K_OVUS, K_POLY, K_POLYNOMIAL, K_PRISM, K_QUARTIC,
+			   K_SOR, K_TORUS } },
+	{ K_HIERARCHY, { K_BLOB, K_HEIGHT_FIELD, K_MESH, K_MESH2 } },
+	{ K_SPLIT_UNION, { K_UNION } },
+	{ K_CUTAWAY_TEXTURES, { K_INTERSECTION, K_DIFFERENCE } },
+	{ K_OPEN, { K_CYLINDER, K_CONE, K_ISOSURFACE, K_PRISM, K_SOR } },
+	{ K_LINEAR_SPLINE, { K_LATHE, K_PRISM, K_SPHERE_SWEEP } },
+	{ K_QUADRATIC_SPLINE, { K_LATHE, K_PRISM } },
+	{ K_CUBIC_SPLINE, { K_LATHE, K_PRISM, K_SPHERE_SWEEP } },
+	{ K_BEZIER_SPLINE, { K_LATHE, K_PRISM } },
+	{ K_B_SPLINE, { K_SPHERE_SWEEP } },
+	{ K_LINEAR_SWEEP, { K_PRISM } },
+	{ K_CONIC_SWEEP, { K_PRISM } },
+	{ K_SMOOTH, { K_HEIGHT_FIELD } },
+	{ K_WATER_LEVEL, { K_HEIGHT_FIELD } },
+	{ K_TOLERANCE, { K_SPHERE_SWEEP } },
+	{ K_TYPE, { K_BICUBIC_PATCH } },
+	{ K_FLATNESS, { K_BICUBIC_PATCH } },
+	{ K_U_STEPS, { K_BICUBIC_PATCH } },
+	{ K_V_STEPS, { K_BICUBIC_PATCH } },
+	{ K_ACCURACY, { K_BICUBIC_PATCH, K_ISOSURFACE, K_PARAMETRIC } },
+	{ K_UV_VECTORS, { K_BICUBIC_PATCH, K_MESH2 } },
+};
+
+static bool item_applies(enum keyword item, enum keyword shape)
 {
-	for (const struct node *n = items.first; n; n = n->next) {
-		const bool solver = n->keyword == K_STURM;
-		const bool hierarchy = n->keyword == K_HIERARCHY;
-		const bool may_sturm = keyword == K_LATHE || keyword == K_OVUS ||
-				       keyword == K_PRISM || keyword == K_SOR || keyword == K_TORUS;
-		if ((solver && !may_sturm) || hierarchy || n->keyword == K_SPLIT_UNION ||
-			n->keyword == K_CUTAWAY_TEXTURES)
-			parser_error(p, n->span, "%s does not apply to %s",
-				keyword_name(n->keyword), keyword_name(keyword));
+	for (size_t i = 0; i < sizeof special_items / sizeof *special_items; i++) {
+		if (special_items[i].item != item)
+			continue;
+		for (const enum keyword *s = special_items[i].shapes; *s != K_NONE; s++)
+			if (*s == shape)
+				return true;
+		return false;
 	}
+	return true;
+}
+
+void shape_check_items(struct parser *p, const struct node *shape)
+{
+	if (shape->keyword == K_OBJECT)
+		return; /* depends on what was copied */
+	for (const struct node *n = shape->children; n; n = n->next)
+		if (!item_applies(n->keyword, shape->keyword))
+			parser_error(p, n->span, "%s does not apply to %s",
+				keyword_name(n->keyword), keyword_name(shape->keyword));
+}
+
+/* A colour identifier behind the numbers is an obsolete colour of the object. */
+static void take_old_colour(
+	struct parser *p, const struct shape_form *form, struct body *body, size_t least)
+{
+	struct grammar *g = p->grammar;
+	const struct arg *last = &g->args[g->arg_count - 1];
+	if (form->tail || g->arg_count - body->start <= least || last->kind != ARG_NUMBER ||
+		last->number.terms != 5)
+		return;
+	struct node *colour =
+		old_colour(p, (struct colour_value){ last->number, NULL, true }, last->span);
+	g->arg_count--;
+	body->items = list_join(list_one(colour), body->items);
 }
 
 struct node *shape_node(
@@ -137,10 +189,11 @@ struct node *shape_node(
 {
 	struct grammar *g = p->grammar;
 	const struct shape_form *form = form_of(keyword);
-	const size_t least = leading(form), found = g->arg_count - body.start;
+	const size_t least = leading(form);
+	take_old_colour(p, form, &body, least);
+	const size_t found = g->arg_count - body.start;
 	struct node *node = NULL;
 	check_kinds(p, keyword, body.start);
-	check_steps(p, keyword, body.items);
 	if (found < least) {
 		parser_error(p, word, "%s needs %s", keyword_name(keyword), form->names[found]);
 		g->arg_count = body.start + found;
