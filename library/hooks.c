@@ -26,6 +26,7 @@ struct probe {
 struct hooks {
 	struct scene *scene;
 	struct ast ast; /* stands for the text read so far */
+	const struct language_state *state;
 	struct lower_options options;
 	struct lowering lowering;
 	struct pointer_map probes; /* by node */
@@ -64,11 +65,27 @@ void hooks_destroy(struct hooks *h)
 	free(h);
 }
 
+static void hook_state(void *user, const struct language_state *state)
+{
+	struct hooks *h = user;
+	h->state = state;
+}
+
+/* Before anything is lowered: the noise generator and the like are those in force now. */
+static struct lowering *lowering_now(struct hooks *h)
+{
+	if (h->state) {
+		h->ast.final = *h->state;
+		settings_begin(&h->lowering);
+	}
+	return &h->lowering;
+}
+
 static struct probe *probe_create(struct hooks *h, const struct node *object)
 {
 	struct probe *p = ARENA_NEW(h->scene->arena, struct probe);
 	const size_t first = h->scene->object_count;
-	struct draft *d = draft_from_node(&h->lowering, object);
+	struct draft *d = draft_from_node(lowering_now(h), object);
 	if (!d)
 		return NULL;
 	draft_emit(&h->lowering, d, object->state);
@@ -162,7 +179,7 @@ static bool hook_call(void *user, const struct function *f, const double *argume
 	double result[5], unsigned *terms)
 {
 	struct hooks *h = user;
-	const struct program *p = lower_function(&h->lowering, f);
+	const struct program *p = lower_function(lowering_now(h), f);
 	if (!p)
 		return false;
 	program_components(p, arguments, result);
@@ -183,6 +200,7 @@ struct render_hooks hooks_table(struct hooks *h)
 {
 	return (struct render_hooks){
 		.user = h,
+		.state = hook_state,
 		.inside = hook_inside,
 		.trace = hook_trace,
 		.extent = hook_extent,

@@ -15,6 +15,9 @@ struct language_state *parser_change_state(struct parser *p)
 {
 	struct language_state *state = arena_copy(p->arena, p->state, sizeof *state);
 	p->state = state;
+	const struct render_hooks *hooks = &p->options->hooks;
+	if (hooks->state)
+		hooks->state(hooks->user, state);
 	return state;
 }
 

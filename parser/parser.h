@@ -22,6 +22,8 @@ struct declaration {
  * a scene is then reported as not supported. `object` etc. are declared values. */
 struct render_hooks {
 	void *user;
+	/* What the text read so far has set; `state` may still change until the next question. */
+	void (*state)(void *user, const struct language_state *state);
 	bool (*inside)(void *user, const struct node *object, const double p[3], bool *answer);
 	bool (*trace)(void *user, const struct node *object, const double origin[3],
 		const double direction[3], double point[3], double normal[3], bool *found);
