@@ -1449,10 +1449,8 @@ bool:
 	;
 clip_word: KW_CLIPPED_BY | KW_BOUNDED_BY ;
 clip_block: clip_word { $$ = node_new(p, $1, @$, @1); } ;
-clip_items:
-	  object { $$ = list_one($1); }
-	| clip_items object { $$ = list_add($1, $2); }
-	| clip_items transformation { $$ = list_add($1, $2); }
+clip_items: object objects transformations
+		{ $$ = list_join(list_join(list_one($1), $2), $3); }
 	;
 object_photons:
 	  %empty { $$ = list_none(); }

@@ -85,8 +85,10 @@ static struct queued *next_token(struct parser *p, struct run *run)
 {
 	struct queued *t = &run->present;
 	span last;
-	/* Only inside braces: elsewhere the '<' may have to be handed back. */
-	if (fetch(p, t) == '<' && run->braces && expand_plain_vector(p, &t->value.number, &last)) {
+	/* Only inside braces, elsewhere the '<' may have to be handed back; and not in the
+	 * expressions of functions, where it may mean "less than": min(x<1, 2>y). */
+	if (fetch(p, t) == '<' && run->braces && !p->grammar->scope &&
+		expand_plain_vector(p, &t->value.number, &last)) {
 		t->token = T_VECTOR;
 		t->where = span_join(t->where, last);
 	}
