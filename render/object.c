@@ -7,7 +7,6 @@
 #include "render/object.h"
 #include "render/shape.h"
 
-#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -267,46 +266,4 @@ void object_uv(const struct hit *hit, vec3 p, double uv[2])
 		const transform absorbed = transform_compose(o->uv_place, &out_of_place);
 		o->shape->uv(o->self, hit, local, &absorbed, uv);
 	}
-}
-
-/* ---- bounds ---- */
-
-/* A bound moved outwards by a few units in the last place, for the rounding of hit points. */
-static double widened(double x, double size, double sign)
-{
-	const double moved = x + sign * 4 * DBL_EPSILON * (fabs(x) + size);
-	return fmin(fmax(moved, -BOX_UNBOUNDED), BOX_UNBOUNDED);
-}
-
-static box box_widened(box b)
-{
-	const vec3 d = vec_sub(b.hi, b.lo);
-	const double size = fmax(fmax(d.x, d.y), d.z);
-	const double more = size < BOX_UNBOUNDED ? size : 0;
-	return (box){ { widened(b.lo.x, more, -1), widened(b.lo.y, more, -1),
-			      widened(b.lo.z, more, -1) },
-		{ widened(b.hi.x, more, 1), widened(b.hi.y, more, 1), widened(b.hi.z, more, 1) } };
-}
-
-/* The part of b that the objects, those that are not inside out, leave of it. */
-static box cut_box(box b, const struct object *const *objects, uint32_t count)
-{
-	for (uint32_t i = 0; i < count; i++) {
-		if (!objects[i]->inverted)
-			b = box_intersection(b, objects[i]->bounds);
-	}
-	return b;
-}
-
-void object_set_bounds(struct object *o)
-{
-	const struct shape_class *shape = o->shape;
-	o->has_chord = shape->chord && o->clip_count == 0 &&
-		       (!shape->has_chord || shape->has_chord(o->self));
-	box b = o->shape->bounds(o->self);
-	if (o->place && !box_is_empty(b))
-		b = transform_box(o->place, b);
-	b = cut_box(b, o->clips, o->clip_count);
-	b = cut_box(b, o->bounds_by, o->bound_count);
-	o->bounds = box_is_empty(b) ? box_nothing() : box_widened(b);
 }

@@ -113,6 +113,9 @@ bool object_is_solid(const struct object *);
 vec3 object_normal(const struct hit *, vec3 p);
 /* uv coordinates of a hit; shapes without their own give the world x and y. */
 void object_uv(const struct hit *, vec3 p, double uv[2]);
+/* The part of b that the objects leave of it, those that are inside out apart. Their own bounds
+ * are set before. */
+box box_cut(box b, const struct object *const *objects, size_t count);
 /* Fills `bounds` from shape, place, clips and kept bounds, whose own bounds are set before (called
  * once by lowering, when all else is set). Empty, see box_is_empty, when nothing can be hit. */
 void object_set_bounds(struct object *);

@@ -68,6 +68,13 @@ struct shape_build {
 	bool dropped; /* set by build: nothing to render ("degenerate triangle") */
 };
 
+/* The points with normal . p <= distance; the normal is unit. */
+struct half_space {
+	vec3 normal;
+	double distance;
+};
+enum { SHAPE_HALF_SPACES = 8 };
+
 struct shape_class {
 	const char *name;	    /* the word of the scene language */
 	size_t size;		    /* of the instance */
@@ -98,8 +105,9 @@ struct shape_class {
 	bool (*chord)(const void *self, const ray *, struct chord *);
 	/* Whether chord may be asked of this instance. NULL: always. */
 	bool (*has_chord)(const void *self);
-	/* For shapes that are half-spaces: the points with normal . p <= distance. */
-	void (*half_space)(const void *self, vec3 *normal, double *distance);
+	/* For unbounded shapes: half-spaces that hold the inside and what is hit, at most
+	 * SHAPE_HALF_SPACES; their count. */
+	size_t (*half_spaces)(const void *self, struct half_space *);
 	/* On-surface points as in objects.md 8.2. NULL for patches. */
 	bool (*inside)(const void *self, vec3 p);
 	/* Outward, any length. */

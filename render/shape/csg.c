@@ -17,14 +17,8 @@
 static box csg_bounds(const void *self)
 {
 	const struct csg *csg = self;
-	if (csg->kind == CSG_INTERSECTION) {
-		box b = box_everything();
-		for (size_t i = 0; i < csg->count; i++) {
-			if (!csg->children[i]->inverted)
-				b = box_intersection(b, csg->children[i]->bounds);
-		}
-		return csg->count ? b : box_nothing();
-	}
+	if (csg->count > 0 && csg->kind == CSG_INTERSECTION)
+		return box_cut(box_everything(), csg->children, csg->count);
 	box b = box_nothing();
 	for (size_t i = 0; i < csg->count; i++) {
 		/* a complement has no bounds (a difference within a difference) */

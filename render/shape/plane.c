@@ -107,11 +107,11 @@ static bool plane_chord(const void *self, const ray *r, struct chord *chord)
 	return speed != 0 || height > -SKIN;
 }
 
-static void plane_half_space(const void *self, vec3 *normal, double *distance)
+static size_t plane_half_spaces(const void *self, struct half_space *out)
 {
 	const struct plane *pl = self;
-	*normal = pl->normal;
-	*distance = pl->distance;
+	*out = (struct half_space){ pl->normal, pl->distance + SKIN };
+	return 1;
 }
 
 static bool plane_inside(const void *self, vec3 p)
@@ -139,7 +139,7 @@ const struct shape_class shape_plane = {
 	.nearest = plane_nearest,
 	.hits = plane_hits,
 	.chord = plane_chord,
-	.half_space = plane_half_space,
+	.half_spaces = plane_half_spaces,
 	.inside = plane_inside,
 	.normal = plane_normal,
 };

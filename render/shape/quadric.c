@@ -130,6 +130,53 @@ static box quadric_bounds(const void *self)
 	return (box){ vec_sub(q->near, room), vec_add(q->near, room) };
 }
 
+/* x with (A + axis axisᵀ) x = b, for the quadratic part A. */
+static vec3 solve_with(const struct quadric *q, vec3 axis, vec3 b)
+{
+	const vec3 r0 = vec_mad(quadric_times(q, vec(1, 0, 0)), axis.x, axis);
+	const vec3 r1 = vec_mad(quadric_times(q, vec(0, 1, 0)), axis.y, axis);
+	const vec3 r2 = vec_mad(quadric_times(q, vec(0, 0, 1)), axis.z, axis);
+	const vec3 c0 = vec_cross(r1, r2), c1 = vec_cross(r2, r0), c2 = vec_cross(r0, r1);
+	const vec3 sum = vec_add(vec_scale(c0, b.x), vec_mad(vec_scale(c1, b.y), b.z, c2));
+	return vec_scale(sum, 1 / vec_dot(r0, c0));
+}
+
+/* Around an elliptic cylinder: planes that touch it. Its axis is where the quadratic part is zero;
+ * in any direction v across, the surface of (p - c)ᵀ A (p - c) = depth reaches as far as
+ * sqrt(depth vᵀ A⁻¹ v) from the centre c. */
+static size_t quadric_half_spaces(const void *self, struct half_space *out)
+{
+	const struct quadric *q = self;
+	vec3 adjugate[3];
+	const double size = q->squares.x + q->squares.y + q->squares.z;
+	if (!q->is_convex || fabs(quadric_adjugate(q, adjugate)) > 1e-12 * size * size * size)
+		return 0;
+	vec3 axis = adjugate[0];
+	for (int i = 1; i < 3; i++)
+		axis = vec_length2(adjugate[i]) > vec_length2(axis) ? adjugate[i] : axis;
+	if (!(vec_length(axis) > 1e-6 * size * size)) /* a slab, or nearly */
+		return 0;
+	axis = vec_normalize(axis);
+	if (fabs(vec_dot(axis, q->linear)) > 1e-12 * (size + vec_length(q->linear)))
+		return 0; /* parabolic */
+	const vec3 stretched = vec_scale(axis, sqrt(size));
+	const vec3 centre = solve_with(q, stretched, vec_scale(q->linear, -0.5));
+	const double depth = -quadric_value(q, centre);
+	if (!(depth >= 0))
+		return 0;
+	const vec3 u =
+		vec_normalize(vec_cross(fabs(axis.x) < 0.5 ? vec(1, 0, 0) : vec(0, 1, 0), axis));
+	const vec3 v = vec_cross(axis, u);
+	for (int i = 0; i < SHAPE_HALF_SPACES; i++) {
+		const double angle = 2 * M_PI * i / SHAPE_HALF_SPACES;
+		const vec3 n = vec_mad(vec_scale(u, cos(angle)), sin(angle), v);
+		const double reach = sqrt(depth * vec_dot(n, solve_with(q, stretched, n)));
+		out[i] = (struct half_space){ n,
+			vec_dot(n, centre) + reach * (1 + 1e-9) + 1e-12 * vec_length(centre) };
+	}
+	return SHAPE_HALF_SPACES;
+}
+
 /* The quadric along a ray: a s² + 2 b s + c at the parameter start + s. */
 struct quadratic {
 	double start, a, b, c;
@@ -238,6 +285,7 @@ const struct shape_class shape_quadric = {
 	.hits = quadric_hits,
 	.chord = quadric_chord,
 	.has_chord = quadric_has_chord,
+	.half_spaces = quadric_half_spaces,
 	.inside = quadric_inside,
 	.normal = quadric_normal,
 };

@@ -121,6 +121,30 @@ static void perfect_squares_are_touched(void **unused)
 	assert_int_equal(polynomial_crossings(c, 4, -10, 10, found) % 2, 0);
 }
 
+/* The interval only selects: a wide one gives the roots of a narrow one. */
+static void wide_intervals_find_the_same(void **unused)
+{
+	(void)unused;
+	uint64_t state = 4;
+	for (int round = 0; round < 20000; round++) {
+		const unsigned degree = 3 + (unsigned)(random_unit(&state) * 4);
+		const double scale = pow(10, 8 * random_unit(&state) - 4);
+		double c[8] = { random_unit(&state) - 0.5 }, narrow[POLYNOMIAL_MAX_DEGREE],
+		       wide[POLYNOMIAL_MAX_DEGREE];
+		for (unsigned i = 0; i < degree; i++)
+			multiply_root(c, i, scale * (i + 0.3 + 0.4 * random_unit(&state)));
+		const unsigned count = polynomial_crossings(c, degree, -scale, 8 * scale, narrow);
+		assert_int_equal(count, degree);
+		assert_int_equal(polynomial_crossings(c, degree, -1e12, 1e12, wide), count);
+		for (unsigned i = 0; i < count; i++)
+			assert_true(fabs(narrow[i] - wide[i]) < 1e-10 * scale);
+		/* from between two roots on */
+		double first;
+		assert_true(polynomial_first_crossing(c, degree, scale, INFINITY, &first));
+		assert_true(fabs(first - narrow[1]) < 1e-10 * scale);
+	}
+}
+
 static void triple_root(void **unused)
 {
 	(void)unused;
@@ -165,6 +189,7 @@ int main(void)
 		cmocka_unit_test(crossings_alternate),
 		cmocka_unit_test(double_roots_cross_evenly),
 		cmocka_unit_test(perfect_squares_are_touched),
+		cmocka_unit_test(wide_intervals_find_the_same),
 		cmocka_unit_test(triple_root),
 		cmocka_unit_test(keeps_to_the_interval),
 		cmocka_unit_test(loses_vanishing_leading_terms),

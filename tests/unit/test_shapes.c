@@ -65,6 +65,8 @@ static const struct sample samples[] = {
 		{ -0.8, -0.5, 0, 0.1, 0.2, -1, 0.9, -0.4, 0.2, -0.2, 0, -1, 0.1, 0.8, -0.3, 0, 0.1,
 			-1 },
 		false, false },
+	{ "quadric", { 2, 5, 0, 0, 0, 0, 0.2, -0.1, 0, -0.3 }, true, true },
+	{ "quadric", { 2, 0, 3, 0, 0, 0, 0, 0.7, 0.1, -0.2 }, true, true },
 };
 #define SAMPLE_COUNT (sizeof samples / sizeof samples[0])
 
@@ -404,6 +406,200 @@ static void clips_cut(void **unused)
 	arena_destroy(arena);
 }
 
+/* The ends of a chord are the hits, and the inside is between them. */
+static void chords_are_hits(void **unused)
+{
+	(void)unused;
+	uint64_t state = 20;
+	struct arena *arena = arena_create(0);
+	size_t kinds = 0, seen = 0;
+	for (size_t s = 0; s < SAMPLE_COUNT; s++) {
+		struct object *o = make(arena, &samples[s]);
+		kinds += o->has_chord;
+		for (int variant = 0; o->has_chord && variant < 3; variant++) {
+			place(arena, o, variant, &state);
+			for (int i = 0; i < 3000; i++) {
+				const ray r = random_ray(&state, i % 2 ? 1 : 6);
+				const double far = 1e3, step = 1e-6;
+				struct hits hits = { 0 };
+				object_hits(o, &r, -far, far, &hits);
+				struct chord c;
+				size_t ends = 0;
+				const bool met = object_chord(o, &r, &c);
+				for (int k = 0; met && k < 2; k++) {
+					if (!(fabs(c.t[k]) < far))
+						continue;
+					ends++;
+					bool known = false;
+					for (size_t j = 0; j < hits.count; j++)
+						known |= fabs(hits.items[j].t - c.t[k]) < 1e-11 &&
+							 hits.items[j].part == c.part[k];
+					assert_true(known);
+				}
+				assert_int_equal(ends, hits.count);
+				seen += ends;
+				hits_release(&hits);
+				const double t = 8 * random_unit(&state) - 4;
+				const bool between = met && t > c.t[0] && t < c.t[1];
+				if (!met || fmin(fabs(t - c.t[0]), fabs(t - c.t[1])) > step)
+					assert_int_equal(between, object_inside(o, ray_at(r, t)));
+			}
+		}
+	}
+	assert_true(kinds >= 9 && seen > 10000);
+	arena_destroy(arena);
+}
+
+static int by_distance(const void *a, const void *b)
+{
+	const struct hit *x = a, *y = b;
+	if (x->t != y->t)
+		return x->t > y->t ? 1 : -1;
+	return (x->object > y->object) - (x->object < y->object);
+}
+
+/* What counts of an intersection or merge, by asking each point. */
+static size_t hits_by_points(const struct csg *csg, const ray *r, struct hits *out)
+{
+	for (size_t i = 0; i < csg->count; i++) {
+		struct hits own = { 0 };
+		object_hits(csg->children[i], r, 0, 1e4, &own);
+		for (size_t k = 0; k < own.count; k++) {
+			const vec3 p = ray_at(*r, own.items[k].t);
+			bool counts = true;
+			for (size_t j = 0; j < csg->count; j++)
+				counts &= j == i || object_inside(csg->children[j], p) ==
+							    (csg->kind == CSG_INTERSECTION);
+			if (counts)
+				*hits_push(out, 0) = own.items[k];
+		}
+		hits_release(&own);
+	}
+	if (out->count)
+		qsort(out->items, out->count, sizeof *out->items, by_distance);
+	return out->count;
+}
+
+/* Of random children, some of them twice, so that surfaces coincide. */
+static struct object *random_compound(struct arena *arena, uint64_t *state)
+{
+	struct object *children[6];
+	const size_t count = 2 + (size_t)(random_unit(state) * 5);
+	for (size_t i = 0; i < count; i++) {
+		/* roots of higher polynomials are not found twice to the last bit */
+		if (i > 0 && children[i - 1]->has_chord && random_unit(state) < 0.2) {
+			children[i] = arena_copy(arena, children[i - 1], sizeof **children);
+		} else {
+			size_t s; /* a disc bounds less than its inside */
+			do
+				s = (size_t)(random_unit(state) * SAMPLE_COUNT);
+			while (!samples[s].is_closed);
+			children[i] = make(arena, &samples[s]);
+			place(arena, children[i],
+				!children[i]->has_chord || random_unit(state) < 0.5, state);
+		}
+		children[i]->inverted = random_unit(state) < 0.3;
+	}
+	return combine(
+		arena, random_unit(state) < 0.3 ? CSG_MERGE : CSG_INTERSECTION, children, count);
+}
+
+static void compounds_go_by_points(void **unused)
+{
+	(void)unused;
+	uint64_t state = 21;
+	struct arena *arena = arena_create(0);
+	size_t seen = 0;
+	for (int round = 0; round < 500; round++) {
+		const struct object *o = random_compound(arena, &state);
+		for (int i = 0; i < 100; i++) {
+			const ray r = random_ray(&state, i % 2 ? 1 : 5);
+			struct hits wanted = { 0 }, found = { 0 };
+			seen += hits_by_points(o->self, &r, &wanted);
+			object_hits(o, &r, 0, 1e4, &found);
+			assert_int_equal(found.count, wanted.count);
+			check_nearest(o, &r, 0, &found);
+			check_nearest(o, &r, 0.5, &found);
+			if (found.count)
+				qsort(found.items, found.count, sizeof *found.items, by_distance);
+			for (size_t k = 0; k < found.count; k++) {
+				assert_true(fabs(found.items[k].t - wanted.items[k].t) < 1e-11);
+				assert_ptr_equal(found.items[k].object, wanted.items[k].object);
+				if (found.items[k].t < 10)
+					assert_true(
+						box_holds(o->bounds, ray_at(r, found.items[k].t)));
+			}
+			hits_release(&wanted);
+			hits_release(&found);
+		}
+	}
+	assert_true(seen > 5000);
+	arena_destroy(arena);
+}
+
+static struct object *make_plane(struct arena *arena, vec3 normal, double distance)
+{
+	const struct sample plane = { "plane", { normal.x, normal.y, normal.z, distance }, true,
+		true };
+	return make(arena, &plane);
+}
+
+/* A tube cut by tilted planes, and random polyhedra, which are cut out of a ball. */
+static void unbounded_children_bound_compounds(void **unused)
+{
+	(void)unused;
+	uint64_t state = 22;
+	struct arena *arena = arena_create(0);
+	for (int round = 0; round < 300; round++) {
+		struct object *children[12];
+		size_t count = 0;
+		if (round % 2) {
+			const struct sample tube = { "quadric", { 1, 0.5, 0, 0, 0, 0, 0, 0, 0, -1 },
+				true, true };
+			children[count] = make(arena, &tube);
+			const transform turn = transform_rotate(random_vector(&state, 180));
+			assert_true(children[count]->shape->absorb(
+				(void *)(uintptr_t)children[count]->self, &turn));
+			object_set_bounds(children[count++]);
+			const vec3 along = transform_direction(&turn, vec(0, 0, 1));
+			const vec3 tilt = random_vector(&state, 0.2);
+			children[count++] = make_plane(arena, vec_add(along, tilt), 1);
+			children[count++] = make_plane(arena, vec_sub(tilt, along), 1);
+		} else {
+			vec3 sum = vec(0, 0, 0);
+			for (; count < 4; count++) {
+				vec3 n = vec_normalize(random_vector(&state, 1));
+				if (count == 3)
+					n = vec_negate(sum); /* positively spans the space */
+				sum = vec_add(sum, n);
+				children[count] = make_plane(arena, n, 0.5);
+			}
+		}
+		struct object *o = combine(arena, CSG_INTERSECTION, children, count);
+		const box b = o->bounds;
+		if (!box_is_unbounded(b)) /* nearly flat tetrahedra may be called unbounded */
+			assert_true(fmax(b.hi.x - b.lo.x, b.hi.y - b.lo.y) < 1e7);
+		else
+			assert_true(round % 2 == 0);
+		for (int i = 0; i < 500; i++) {
+			const vec3 p = random_vector(&state, i % 2 ? 2 : 8);
+			if (object_inside(o, p))
+				assert_true(box_holds(b, p));
+		}
+	}
+	/* an octahedron, all of it */
+	struct object *sides[8];
+	for (int i = 0; i < 8; i++)
+		sides[i] = make_plane(
+			arena, vec(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1), 1 / sqrt(3));
+	const box b = combine(arena, CSG_INTERSECTION, sides, 8)->bounds;
+	assert_true(fabs(b.hi.x - 1) < 1e-8 && fabs(b.lo.y + 1) < 1e-8 && fabs(b.hi.z - 1) < 1e-8);
+	/* with one side missing it goes on for ever, but not everywhere */
+	const box open = combine(arena, CSG_INTERSECTION, sides, 4)->bounds;
+	assert_true(box_is_unbounded(open) && fabs(open.hi.z - BOX_UNBOUNDED) < 1);
+	arena_destroy(arena);
+}
+
 static void last_child_wins_ties(void **unused)
 {
 	(void)unused;
@@ -625,6 +821,9 @@ int main(void)
 		cmocka_unit_test(compounds_are_boolean),
 		cmocka_unit_test(compound_hits_bound_the_inside),
 		cmocka_unit_test(clips_cut),
+		cmocka_unit_test(chords_are_hits),
+		cmocka_unit_test(compounds_go_by_points),
+		cmocka_unit_test(unbounded_children_bound_compounds),
 		cmocka_unit_test(last_child_wins_ties),
 		cmocka_unit_test(triangles_leave_no_cracks),
 		cmocka_unit_test(quartic_can_be_a_torus),
