@@ -112,6 +112,7 @@ struct run {
 	size_t opening_capacity;
 	enum keyword word;	  /* the last token, if it was a keyword */
 	enum keyword word_before; /* and the one before it */
+	int token_before;	  /* the token before the last */
 	span word_span;
 	/* The result. */
 	bool accepted;

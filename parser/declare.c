@@ -121,6 +121,7 @@ static bool read_semicolon(struct parser *p, const struct value *v, span where)
 	const int token = expand_next(p, &next, &at);
 	parser_error(p, at, "expected ';' behind the declared expression, found %s",
 		token_describe(p, token, &next));
+	note_comparison(p, token, at);
 	diag_note(p->diag, where, "the declaration begins here");
 	return false;
 }

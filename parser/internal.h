@@ -63,6 +63,9 @@ void parser_error(struct parser *, span where, const char *format, ...)
 /* The error for a word that names nothing (T_UNDECLARED), with the nearest known name. */
 void parser_error_undeclared(struct parser *, span where, const char *name);
 
+/* Notes after an error at `token`, if it compares: comparisons need parentheses in most places. */
+void note_comparison(struct parser *, int token, span where);
+
 /* The span from the start of `first` to the end of `last`, if they come from the same text. */
 span span_join(span first, span last);
 

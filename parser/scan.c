@@ -147,6 +147,7 @@ int grammar_lex(GRAMMAR_STYPE *value, span *where, struct parser *p, struct run 
 		*where = NO_SPAN;
 		return start;
 	}
+	run->token_before = run->last ? run->last->token : 0;
 	struct queued *t = next_token(p, run);
 	if (p->failed)
 		t->token = 0;
@@ -215,11 +216,51 @@ static bool is_closing(int token)
 	return token == '}' || token == ')' || token == ']';
 }
 
+void note_comparison(struct parser *p, int token, span where)
+{
+	if (token == T_LE || token == T_GE || token == T_NE || token == '<' || token == '>' ||
+		token == '=' || token == '&' || token == '|' || token == '?')
+		diag_note(p->diag, where, "a comparison needs parentheses here: (a > b)");
+}
+
+static bool ends_operand(int token)
+{
+	return token == T_NUMBER || token == T_VECTOR || token == T_COLOUR || token == T_STRING ||
+	       token == ')' || token == '>';
+}
+
+/* Says what would be right where a habit from another language, or a comparison where only sums are
+ * read, is the likely cause. */
+static void hint(struct parser *p, const struct run *run, const struct queued *t)
+{
+	const int token = t->token, before = run->token_before;
+	const bool doubled = token == before && (token == '=' || token == '&' || token == '|');
+	if (doubled)
+		diag_note(
+			p->diag, t->where, "the operator is '%c', not '%c%c'", token, token, token);
+	else if (token == ')' && before == T_STRING)
+		diag_note(p->diag, t->where, "a string can only be compared here: (S = \"x\")");
+	else if (token == '+' && before == T_STRING)
+		diag_note(p->diag, t->where, "strings are joined by concat(S, T)");
+	else if (t->value.keyword >= K_RGB && t->value.keyword <= K_RGBT && !ends_operand(before))
+		diag_note(p->diag, t->where,
+			"a colour in an expression must be declared: #declare C = rgb 1;");
+	else if (token != '<' && ends_operand(before))
+		note_comparison(p, token, t->where);
+}
+
 void syntax_error(struct parser *p, struct run *run, const char *expected)
 {
 	if (p->failed || !run->last)
 		return;
 	const struct queued *t = run->last;
+	if (t->token == T_UNDECLARED && run->token_before == '.') {
+		parser_error(p, t->where,
+			"'%s' is no component: there are x y z t, u v and red green blue filter "
+			"transmit gray",
+			t->value.name);
+		return;
+	}
 	if (t->token == T_UNDECLARED) {
 		parser_error_undeclared(p, t->where, t->value.name);
 		return;
@@ -248,6 +289,7 @@ void syntax_error(struct parser *p, struct run *run, const char *expected)
 		parser_error(p, t->where, "unexpected %s%s", found, in);
 	if (open && is_closing(t->token) && closing(open->token)[0] != t->token)
 		diag_note(p->diag, open->where, "the %c is still open", open->token);
+	hint(p, run, t);
 }
 
 void grammar_error(const span *, struct parser *, struct run *, const char *);

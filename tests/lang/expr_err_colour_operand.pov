@@ -1,0 +1,3 @@
+// The colour words are no operands.
+#version 3.7;
+#declare A = 2*rgb <1, 0, 0>;

@@ -1,0 +1,3 @@
+// Only one component can be selected.
+#version 3.7;
+#declare A = <1, 2, 3>.x.x;

@@ -1,0 +1,3 @@
+// A vector has at least two components.
+#version 3.7;
+#declare A = <1>;

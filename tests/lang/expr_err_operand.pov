@@ -1,0 +1,3 @@
+// An operator needs two operands.
+#version 3.7;
+#declare A = 1 + * 2;

@@ -1,0 +1,3 @@
+// A vector has at most five components.
+#version 3.7;
+#declare A = <1, 2, 3, 4, 5, 6>;

@@ -1,0 +1,3 @@
+// A missing parenthesis.
+#version 3.7;
+#declare A = (1 + 2;

@@ -1,0 +1,3 @@
+// An undeclared word in an expression.
+#version 3.7;
+#declare A = 1 + Nothing;

@@ -1,0 +1,3 @@
+// A second decimal point is an error.
+#version 3.7;
+#declare A = 1.5.2;

@@ -1,0 +1,3 @@
+// A reserved word cannot be a macro parameter.
+#version 3.7;
+#macro M(radius) #end
