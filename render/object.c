@@ -90,8 +90,10 @@ static bool narrow_to_clips(const struct object *o, const ray *r, double *tmin, 
 		struct chord c;
 		if (!object_chord(clip, r, &c))
 			return false;
-		*tmin = fmax(*tmin, c.t[0] - CHORD_SLACK * (1 + fabs(c.t[0])));
-		*tmax = fmin(*tmax, c.t[1] + CHORD_SLACK * (1 + fabs(c.t[1])));
+		const double from = c.t[0] - CHORD_SLACK * (1 + fabs(c.t[0]));
+		const double to = c.t[1] + CHORD_SLACK * (1 + fabs(c.t[1]));
+		*tmin = from > *tmin ? from : *tmin;
+		*tmax = to < *tmax ? to : *tmax;
 	}
 	return *tmin < *tmax;
 }

@@ -134,8 +134,47 @@ static inline void series_take(struct series *p, struct series *q)
 	q->degree = 0;
 }
 
-/* The polynomial along the ray o + s d, lowest power first; returns its degree. */
-static unsigned along_ray(const struct algebraic *a, vec3 o, vec3 d, struct series *in_x)
+/* p (a + b s)^times, where the result has no more than five coefficients. All of them are worked
+ * on: that is faster than to count. */
+static inline void quartic_times(double *p, double a, double b, unsigned times)
+{
+	for (; times > 0; times--) {
+		for (unsigned i = 4; i > 0; i--)
+			p[i] = a * p[i] + b * p[i - 1];
+		p[0] *= a;
+	}
+}
+
+static inline void quartic_take(double *p, double *q)
+{
+	for (unsigned i = 0; i < 5; i++) {
+		p[i] += q[i];
+		q[i] = 0;
+	}
+}
+
+/* along_ray up to the fourth order. */
+static void quartic_along_ray(const struct algebraic *a, vec3 o, vec3 d, double in_x[5])
+{
+	double in_y[5] = { 0 }, in_z[5] = { 0 };
+	for (unsigned i = 0; i < 5; i++)
+		in_x[i] = 0;
+	for (size_t i = 0; i < a->term_count; i++) {
+		const struct term *term = &a->terms[i];
+		in_z[0] += term->coefficient;
+		quartic_times(in_z, o.z, d.z, term->times_z);
+		if (!term->ends_z)
+			continue;
+		quartic_take(in_y, in_z);
+		quartic_times(in_y, o.y, d.y, term->times_y);
+		if (!term->ends_y)
+			continue;
+		quartic_take(in_x, in_y);
+		quartic_times(in_x, o.x, d.x, term->times_x);
+	}
+}
+
+static void series_along_ray(const struct algebraic *a, vec3 o, vec3 d, struct series *in_x)
 {
 	struct series in_y, in_z;
 	in_x->c[0] = in_y.c[0] = in_z.c[0] = 0;
@@ -153,11 +192,23 @@ static unsigned along_ray(const struct algebraic *a, vec3 o, vec3 d, struct seri
 		series_take(in_x, &in_y);
 		series_times(in_x, o.x, d.x, term->times_x);
 	}
+}
+
+/* The polynomial along the ray o + s d, lowest power first; returns its degree. */
+static unsigned along_ray(const struct algebraic *a, vec3 o, vec3 d, struct series *out)
+{
+	const unsigned order = (unsigned)a->order;
+	if (order <= 4) {
+		quartic_along_ray(a, o, d, out->c);
+		out->degree = order;
+	} else {
+		series_along_ray(a, o, d, out);
+	}
 	/* The highest coefficient is zero where it is no more than rounding: else it would have
 	 * roots of its own, far away. */
-	if (in_x->degree == (unsigned)a->order && fabs(in_x->c[in_x->degree]) <= 1e-14 * a->top)
-		return in_x->degree - 1;
-	return in_x->degree;
+	if (out->degree == order && fabs(out->c[order]) <= 1e-14 * a->top)
+		return order - 1;
+	return out->degree;
 }
 
 /* Value and gradient at p, carried through the same scheme. */

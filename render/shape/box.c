@@ -87,12 +87,17 @@ static uint32_t face_at(const double at[3], double t, bool leaving, const ray *r
 {
 	const double blur = 1e-12 * fabs(t);
 	const double d[3] = { r->direction.x, r->direction.y, r->direction.z };
-	int axis = -1;
-	for (int i = 0; i < 3; i++) {
-		if (fabs(at[i] - t) <= blur && (axis < 0 || fabs(d[i]) > fabs(d[axis])))
-			axis = i;
+	const bool at_t[3] = { fabs(at[0] - t) <= blur, fabs(at[1] - t) <= blur,
+		fabs(at[2] - t) <= blur };
+	int axis = at_t[0] ? 0 : at_t[1] ? 1 : 2;
+	if (at_t[0] + at_t[1] + at_t[2] != 1) { /* hardly ever */
+		axis = -1;
+		for (int i = 0; i < 3; i++) {
+			if (at_t[i] && (axis < 0 || fabs(d[i]) > fabs(d[axis])))
+				axis = i;
+		}
+		axis = axis < 0 ? 0 : axis;
 	}
-	axis = axis < 0 ? 0 : axis;
 	return (uint32_t)(2 * axis + ((d[axis] > 0) == leaving));
 }
 

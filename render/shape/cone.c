@@ -154,6 +154,8 @@ static unsigned cone_crossings(const struct cone *c, const ray *world, struct cr
 	const double qb = o.x * d.x + o.y * d.y - radius * growth;
 	const double qc = o.x * o.x + o.y * o.y - radius * radius;
 	const double discriminant = qb * qb - qa * qc;
+	if (discriminant < 0 && qa > 0) /* outside all along, so it misses the caps too */
+		return 0;
 	unsigned n = 0;
 	if (discriminant >= 0) {
 		const double q = -(qb + copysign(sqrt(discriminant), qb));

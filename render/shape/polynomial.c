@@ -56,7 +56,8 @@ static double bracketed_root(const double *c, unsigned degree, double lo, double
 		else
 			hi = x;
 		double next = x - value / slope, moved = fabs(next - x);
-		const double lost = fmax(DBL_EPSILON * fabs(x), enough);
+		const double last_place = DBL_EPSILON * fabs(x);
+		const double lost = last_place > enough ? last_place : enough;
 		/* written so that no number (slope 0) also halves */
 		if (next > lo && next < hi && moved < 0.5 * before) {
 			/* Newton's steps shrink like squares: what the next would be */
@@ -68,7 +69,7 @@ static double bracketed_root(const double *c, unsigned degree, double lo, double
 			moved = fabs(next - x);
 			halved = true;
 		}
-		if (moved <= DBL_EPSILON * fabs(x) || next == x)
+		if (moved <= last_place || next == x)
 			return next;
 		before = moved;
 		x = next;
@@ -248,8 +249,8 @@ static unsigned crossings(
 	if (degree == 2)
 		return quadratic_crossings(c, lo, hi, roots);
 	const double bound = root_bound(c, degree);
-	lo = fmax(lo, -bound);
-	hi = fmin(hi, bound);
+	lo = lo > -bound ? lo : -bound;
+	hi = hi < bound ? hi : bound;
 	if (!(lo < hi))
 		return 0;
 	struct search s;

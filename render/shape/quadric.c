@@ -11,6 +11,7 @@ struct quadric {
 	vec3 squares, mixed, linear;
 	double constant;
 	/* built: */
+	bool has_mixed; /* whether any mixed term is not zero */
 	vec3 near;	/* a point the quadric lies around, its centre if it has one */
 	bool is_convex; /* ellipsoid, elliptic cylinder or paraboloid, not inside out */
 };
@@ -25,6 +26,8 @@ static const struct param quadric_params[] = { PARAM_VECTOR("the coefficients of
 static inline vec3 quadric_times(const struct quadric *q, vec3 p)
 {
 	const vec3 s = q->squares, m = q->mixed;
+	if (!q->has_mixed)
+		return vec_mul(s, p);
 	return vec(s.x * p.x + 0.5 * (m.x * p.y + m.y * p.z),
 		s.y * p.y + 0.5 * (m.x * p.x + m.z * p.z),
 		s.z * p.z + 0.5 * (m.y * p.x + m.z * p.y));
@@ -76,11 +79,17 @@ static void quadric_find_convexity(struct quadric *q)
 		       s.x * s.z - m.y * m.y >= least2 && s.y * s.z - m.z * m.z >= least2;
 }
 
+static void quadric_prepare(struct quadric *q)
+{
+	q->has_mixed = q->mixed.x != 0 || q->mixed.y != 0 || q->mixed.z != 0;
+	quadric_find_centre(q);
+	quadric_find_convexity(q);
+}
+
 static void quadric_build(void *self, struct shape_build *build)
 {
 	(void)build;
-	quadric_find_centre(self);
-	quadric_find_convexity(self);
+	quadric_prepare(self);
 }
 
 /* With rows of the inverse as directions, x' = x M gives the form M⁻¹ Q M⁻ᵀ. */
@@ -102,8 +111,7 @@ static bool quadric_absorb(void *self, const transform *t)
 		2 * vec_dot(row[1], image[2]));
 	q->linear = vec(vec_dot(row[0], slope), vec_dot(row[1], slope), vec_dot(row[2], slope));
 	q->constant = quadric_value(&old, origin);
-	quadric_find_centre(q);
-	quadric_find_convexity(q);
+	quadric_prepare(q);
 	return true;
 }
 
@@ -255,8 +263,8 @@ static bool quadric_chord(const void *self, const ray *r, struct chord *chord)
 	const double root = -(f.b + copysign(sqrt(discriminant), f.b));
 	const double t1 = f.start + root / f.a;
 	const double t2 = root != 0 ? f.start + f.c / root : t1;
-	chord->t[0] = fmin(t1, t2);
-	chord->t[1] = fmax(t1, t2);
+	chord->t[0] = t1 < t2 ? t1 : t2;
+	chord->t[1] = t1 < t2 ? t2 : t1;
 	return true;
 }
 

@@ -67,8 +67,9 @@ static inline bool torus_section(
 	/* a little wider, so that both ends are outside for certain */
 	s->lo -= 1e-9 * outer;
 	s->hi += 1e-9 * outer;
-	s->lo = fmax(s->lo, tmin * s->scale + before);
-	s->hi = fmin(s->hi, tmax * s->scale + before);
+	const double from = tmin * s->scale + before, to = tmax * s->scale + before;
+	s->lo = from > s->lo ? from : s->lo;
+	s->hi = to < s->hi ? to : s->hi;
 	if (!(s->lo < s->hi))
 		return false;
 
