@@ -10,6 +10,8 @@
 #include "render/lower/lower_function.h"
 #include "render/texture/noise.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -151,10 +153,14 @@ static bool hook_trace(void *user, const struct node *object, const double origi
 	return true;
 }
 
-/* The language keeps boxes as a corner and lengths, in single precision. */
-static void float_box(double lo, double hi, double *out_lo, double *out_hi)
+/*
+ * The language keeps boxes as a corner and lengths, in single precision. Ours are widened by a few
+ * units in the last place, of which single precision hides all but what moved a corner off 0.
+ */
+static void float_box(double lo, double hi, double size, double *out_lo, double *out_hi)
 {
-	const float corner = (float)lo, length = (float)(hi - lo);
+	const bool at_zero = fabs(lo) <= 8 * DBL_EPSILON * size;
+	const float corner = at_zero ? 0.0f : (float)lo, length = (float)(hi - lo);
 	*out_lo = corner;
 	*out_hi = corner + length;
 }
@@ -169,9 +175,11 @@ static bool hook_extent(void *user, const struct node *object, double lo[3], dou
 		b = box_union(b, probe->objects[i]->bounds);
 	if (box_is_unbounded(b) || box_is_empty(b))
 		b = box_everything();
-	float_box(b.lo.x, b.hi.x, &lo[0], &hi[0]);
-	float_box(b.lo.y, b.hi.y, &lo[1], &hi[1]);
-	float_box(b.lo.z, b.hi.z, &lo[2], &hi[2]);
+	const vec3 sides = vec_sub(b.hi, b.lo);
+	const double size = fmax(fmax(sides.x, sides.y), sides.z);
+	float_box(b.lo.x, b.hi.x, size, &lo[0], &hi[0]);
+	float_box(b.lo.y, b.hi.y, size, &lo[1], &hi[1]);
+	float_box(b.lo.z, b.hi.z, size, &lo[2], &hi[2]);
 	return true;
 }
 

@@ -3,6 +3,7 @@
  * Statements whose node needs more than a word, arguments and children, and
  * those that change the state of the language.
  */
+#include "base/transform.h"
 #include "parser/build.h"
 
 #include <math.h>
@@ -56,6 +57,12 @@ struct node *node_matrix(struct parser *p, span whole, span word, size_t start)
 	for (size_t i = 0; i < found && i < 12; i++)
 		values[i] = number_to_float(p, g->args[start + i].number, g->args[start + i].span);
 	g->arg_count = start;
+	transform mended;
+	if (found == 12 && !transform_matrix(values, &mended))
+		parser_error(p, whole, "the matrix is singular: it cannot be inverted");
+	else if (found == 12 && memcmp(mended.m, values, sizeof mended.m) != 0)
+		diag_warning(p->diag, whole,
+			"a column of the matrix is zero: its diagonal entry is set to 1");
 	return node_args(p, K_MATRIX, whole, word, args_push_array(p, values, 12, 1, whole));
 }
 

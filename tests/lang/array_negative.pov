@@ -1,0 +1,4 @@
+// A subscript below 0.
+#version 3.7;
+#declare A = array[3] { 1, 2, 3 }
+#declare F = A[-1];

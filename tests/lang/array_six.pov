@@ -1,0 +1,3 @@
+// More than five dimensions.
+#version 3.7;
+#declare A = array[1][1][1][1][1][1];

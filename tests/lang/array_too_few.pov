@@ -1,0 +1,3 @@
+// An initialiser with too few elements.
+#version 3.7;
+#declare A = array[3] { 1, 2 }

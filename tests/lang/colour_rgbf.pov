@@ -1,0 +1,6 @@
+// rgbf takes red, green, blue, filter; a float fills those four.
+#version 3.7;
+#declare C = rgbf <0.1, 0.2, 0.3, 0.4>;
+#debug concat(vstr(5, C, " ", 0, 4), "\n")
+#declare C = rgbf 0.5;
+#debug concat(vstr(5, C, " ", 0, 4), "\n")

@@ -1,0 +1,3 @@
+// A spline without entries.
+#version 3.7;
+#declare S = spline { natural_spline }

@@ -1,0 +1,4 @@
+// A natural spline: no curvature at its ends.
+#version 3.7;
+#declare S = spline { natural_spline 0, <0, 0, 0> 1, <1, 2, 0> 3, <0, 1, 5> 4, <2, 2, 2> 6, <1, 0, 1> }
+#for (P, -1, 7, 0.5) #debug concat(vstr(3, S(P), " ", 0, 6), "\n") #end

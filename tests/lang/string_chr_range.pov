@@ -1,0 +1,3 @@
+// chr takes codes of 16 bits.
+#version 3.7;
+#declare S = chr(65536);

@@ -1,0 +1,3 @@
+// concat needs at least one string.
+#version 3.7;
+#declare S = concat();

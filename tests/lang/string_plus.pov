@@ -1,0 +1,3 @@
+// Strings are not added.
+#version 3.7;
+#declare S = "a" + "b";
