@@ -83,23 +83,34 @@ static size_t half_spaces_of_box(box b, struct half_space *out)
 	return count;
 }
 
-box box_cut(box b, const struct object *const *objects, size_t count)
+static size_t half_spaces_of(const struct object *o, struct half_space *list, size_t n)
+{
+	if (!o->shape->half_spaces || o->place || n + SHAPE_HALF_SPACES + 6 > HALF_SPACES_MAX)
+		return n;
+	return n + o->shape->half_spaces(o->self, list + n);
+}
+
+/* The part of b, which bounds `whole` if that is not NULL, that the objects leave of it. */
+static box cut(box b, const struct object *whole, const struct object *const *objects, size_t count)
 {
 	struct half_space list[HALF_SPACES_MAX];
-	size_t n = 0;
+	size_t n = whole && count > 0 ? half_spaces_of(whole, list, 0) : 0;
 	for (size_t i = 0; i < count; i++) {
 		const struct object *o = objects[i];
 		if (o->inverted)
 			continue;
 		b = box_intersection(b, o->bounds);
-		if (o->shape->half_spaces && !o->place &&
-			n + SHAPE_HALF_SPACES + 6 <= HALF_SPACES_MAX)
-			n += o->shape->half_spaces(o->self, list + n);
+		n = half_spaces_of(o, list, n);
 	}
 	if (n == 0 || box_is_empty(b))
 		return b;
 	n += half_spaces_of_box(b, list + n);
 	return cut_by_half_spaces(b, list, n);
+}
+
+box box_cut(box b, const struct object *const *objects, size_t count)
+{
+	return cut(b, NULL, objects, count);
 }
 
 /* ---- objects ---- */
@@ -129,7 +140,7 @@ void object_set_bounds(struct object *o)
 	box b = shape->bounds(o->self);
 	if (o->place && !box_is_empty(b))
 		b = transform_box(o->place, b);
-	b = box_cut(b, o->clips, o->clip_count);
-	b = box_cut(b, o->bounds_by, o->bound_count);
+	b = cut(b, o, o->clips, o->clip_count);
+	b = cut(b, o, o->bounds_by, o->bound_count);
 	o->bounds = box_is_empty(b) ? box_nothing() : box_widened(b);
 }

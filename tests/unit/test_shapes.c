@@ -565,6 +565,11 @@ static void unbounded_children_bound_compounds(void **unused)
 			const vec3 tilt = random_vector(&state, 0.2);
 			children[count++] = make_plane(arena, vec_add(along, tilt), 1);
 			children[count++] = make_plane(arena, vec_sub(tilt, along), 1);
+			struct object clipped = *children[0];
+			clipped.clips = (const struct object *const *)(children + 1);
+			clipped.clip_count = 2;
+			object_set_bounds(&clipped);
+			assert_false(box_is_unbounded(clipped.bounds));
 		} else {
 			vec3 sum = vec(0, 0, 0);
 			for (; count < 4; count++) {
