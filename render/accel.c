@@ -151,7 +151,13 @@ bool accel_nearest(const struct accel *a, const ray *r, double tmin, double tmax
 
 bool accel_any(const struct accel *a, const ray *r, double tmin, double tmax, uint32_t kinds)
 {
-	return (a->kinds & kinds) && a->kernel->any(a, r, tmin, tmax, kinds);
+	return accel_blocker(a, r, tmin, tmax, kinds, NULL) != NULL;
+}
+
+const struct object *accel_blocker(const struct accel *a, const ray *r, double tmin, double tmax,
+	uint32_t kinds, const struct object *guess)
+{
+	return a->kinds & kinds ? a->kernel->any(a, r, tmin, tmax, kinds, guess) : NULL;
 }
 
 /* Bounded objects that may contain p, by rank, each once. */

@@ -19,6 +19,10 @@ bool accel_nearest(const struct accel *, const ray *, double tmin, double tmax, 
 	struct hit *found);
 /* Whether anything with a bit of `kinds` lies strictly between tmin and tmax. */
 bool accel_any(const struct accel *, const ray *, double tmin, double tmax, uint32_t kinds);
+/* Some such object, or NULL. `guess` (NULL: none), say what has blocked the ray before this one, is
+ * asked first. */
+const struct object *accel_blocker(const struct accel *, const ray *, double tmin, double tmax,
+	uint32_t kinds, const struct object *guess);
 /* All objects whose inside contains p, in declaration order (bounded ones first). Returns the
  * count, at most `room`. */
 size_t accel_containing(const struct accel *, vec3 p, const struct object **found, size_t room);

@@ -22,7 +22,8 @@ struct sphere_group {
 struct accel_kernel {
 	bool (*nearest)(const struct accel *, const ray *, double tmin, double tmax, uint32_t kinds,
 		struct hit *found);
-	bool (*any)(const struct accel *, const ray *, double tmin, double tmax, uint32_t kinds);
+	const struct object *(*any)(const struct accel *, const ray *, double tmin, double tmax,
+		uint32_t kinds, const struct object *guess);
 	/* Objects whose box may hold p; the count, of which at most `room` are stored. */
 	size_t (*around)(const struct accel *, vec3 p, const struct object **found, size_t room);
 };

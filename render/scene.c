@@ -66,6 +66,8 @@ static void set_flags(struct scene *scene)
 void scene_commit(struct scene *scene, unsigned threads)
 {
 	rank_objects(scene);
+	for (size_t i = 0; i < scene->light_count; i++)
+		scene->lights[i]->index = (uint32_t)i;
 	set_flags(scene);
 	scene->accel = accel_build(scene->objects, scene->object_count, threads);
 }

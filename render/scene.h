@@ -29,6 +29,7 @@ enum light_type { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER, LIGHT_SHADOWLESS };
 
 struct light {
 	enum light_type type;
+	uint32_t index; /* in scene.lights, by scene_commit */
 	bool parallel;
 	vec3 location, point_at, axis; /* axis = unit(point_at - location) */
 	rgb colour;

@@ -90,6 +90,10 @@ struct grid_sample {
 	bool known;
 };
 
+/* Levels of the ray tree whose shadows are remembered apart: neighbouring camera rays are alike, and
+ * so are their reflections. */
+enum { BLOCKER_LEVELS = 4 };
+
 struct worker {
 	const struct scene *scene;
 	unsigned width, height;
@@ -98,6 +102,7 @@ struct worker {
 	struct arena *shadow;	     /* as long as a shadow ray */
 	const struct light **lights; /* those that are in no group */
 	size_t light_count;
+	const struct object **blockers; /* by light and level: what blocked it last, or NULL */
 	struct containment at_camera;
 	bool origin_moves;   /* at_camera is found anew for each camera ray */
 	bool has_shadow_fog; /* some light is attenuated by the fog on its way */

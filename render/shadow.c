@@ -100,6 +100,16 @@ static rgb tinted(struct worker *w, const struct light *light, const struct poin
 	return arriving;
 }
 
+/* Whether anything opaque is in the way; most often it is what was so at the neighbouring point. */
+static bool is_blocked(struct worker *w, const struct light *light, const struct point *at,
+	const ray *r, double limit)
+{
+	const unsigned level = (unsigned)at->path->level % BLOCKER_LEVELS;
+	const struct object **last = &w->blockers[light->index * BLOCKER_LEVELS + level];
+	*last = accel_blocker(w->scene->accel, r, T_SHADOW, limit, RAY_SHADOW_OPAQUE, *last);
+	return *last != NULL;
+}
+
 rgb shadow_filter(struct worker *w, const struct light *light, const struct point *at,
 	vec3 direction, double distance, rgb arriving)
 {
@@ -116,7 +126,7 @@ rgb shadow_filter(struct worker *w, const struct light *light, const struct poin
 	}
 	limit -= T_SHADOW;
 	w->stats.shadow_rays++;
-	if (limit > T_SHADOW && accel_any(scene->accel, &r, T_SHADOW, limit, RAY_SHADOW_OPAQUE))
+	if (limit > T_SHADOW && is_blocked(w, light, at, &r, limit))
 		return rgb_grey(0);
 	if (!scene->has_tinted_shadows && !w->has_shadow_fog)
 		return arriving;

@@ -25,8 +25,12 @@ static void gather_lights(struct worker *w)
 {
 	const struct scene *scene = w->scene;
 	w->lights = ARENA_ARRAY(w->arena, scene->light_count, const struct light *);
+	w->blockers =
+		ARENA_ARRAY(w->arena, scene->light_count * BLOCKER_LEVELS, const struct object *);
 	for (size_t i = 0; i < scene->light_count; i++) {
 		const struct light *light = scene->lights[i];
+		for (int level = 0; level < BLOCKER_LEVELS; level++)
+			w->blockers[i * BLOCKER_LEVELS + (size_t)level] = NULL;
 		if (!light->group_only)
 			w->lights[w->light_count++] = light;
 		if (is_foggy(scene) && light->media_attenuation && light->media_interaction)
