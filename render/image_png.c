@@ -101,8 +101,10 @@ static bool write_all(struct writing *w, FILE *file)
 	if (setjmp(png_jmpbuf(w->png)))
 		return false;
 	png_init_io(w->png, file);
-	/* Half the time of the default level for a twentieth more bytes. */
-	png_set_compression_level(w->png, 4);
+	/* A quarter of the time of the defaults for a sixth more bytes: with simple pictures, packing
+	 * them is a good part of the work. */
+	png_set_compression_level(w->png, 1);
+	png_set_filter(w->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
 	write_header(w);
 	for (unsigned y = 0; y < w->raster->height; y++)
 		write_row(w, y);
