@@ -73,12 +73,20 @@ static void hook_state(void *user, const struct language_state *state)
 	h->state = state;
 }
 
-/* Before anything is lowered: the noise generator and the like are those in force now. */
+/*
+ * Before anything is lowered: the noise generator and the like are those in force now. Functions
+ * compiled for another noise generator are forgotten.
+ */
 static struct lowering *lowering_now(struct hooks *h)
 {
 	if (h->state) {
+		const int before = h->scene->settings.noise_generator;
 		h->ast.final = *h->state;
 		settings_begin(&h->lowering);
+		if (h->scene->settings.noise_generator != before) {
+			pointer_map_release(&h->lowering.functions);
+			h->lowering.functions = (struct pointer_map){ 0 };
+		}
 	}
 	return &h->lowering;
 }
@@ -129,6 +137,14 @@ static bool hook_inside(void *user, const struct node *object, const double p[3]
 	const struct probe *probe = probe_of(user, object);
 	if (!probe)
 		return false;
+	for (size_t i = 0; i < probe->count; i++) {
+		if (!object_is_solid(probe->objects[i])) {
+			diag_error(((struct hooks *)user)->lowering.diag, object->span,
+				"inside() needs a solid object: this one has no inside");
+			*answer = false;
+			return true;
+		}
+	}
 	*answer = false;
 	for (size_t i = 0; i < probe->count && !*answer; i++)
 		*answer = object_inside(probe->objects[i], to_vec(p));

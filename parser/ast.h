@@ -168,7 +168,11 @@ struct spline {
 	size_t count;
 	const double *keys; /* sorted */
 	const double (*values)[5];
+	const double (*curvature)[5]; /* second derivatives at the keys, if it is natural */
 };
+
+/* All components at `at`; those beyond `terms` are 0. */
+void spline_value(const struct spline *, double at, double result[5]);
 
 /* The whole scene. */
 struct ast {

@@ -8,90 +8,6 @@
 
 #include <string.h>
 
-/* -- Building ----------------------------------------------------------------------------- */
-
-void spline_entry(struct parser *p, double key, span key_at, struct number value, span at)
-{
-	if (value.terms == 1) { /* at least a 2-vector */
-		value.terms = 2;
-		value.v[1] = value.v[0];
-	}
-	args_push_number(p, number_float(key), key_at);
-	args_push_number(p, value, at);
-}
-
-struct entries {
-	double *keys;
-	double (*values)[5];
-	size_t count;
-};
-
-/* Keeps the keys sorted. An equal key replaces the value, but not that of the largest key. */
-static void insert(struct entries *e, double key, const double value[5])
-{
-	size_t i = e->count;
-	while (i > 0 && e->keys[i - 1] >= key)
-		i--;
-	if (i < e->count && e->keys[i] == key) {
-		if (i + 1 < e->count || e->count < 2)
-			memcpy(e->values[i], value, sizeof e->values[i]);
-		return;
-	}
-	memmove(e->keys + i + 1, e->keys + i, (e->count - i) * sizeof *e->keys);
-	memmove(e->values + i + 1, e->values + i, (e->count - i) * sizeof *e->values);
-	e->keys[i] = key;
-	memcpy(e->values[i], value, sizeof e->values[i]);
-	e->count++;
-}
-
-static enum spline_type type_of(enum keyword word)
-{
-	switch (word) {
-	case K_QUADRATIC_SPLINE:
-		return SPLINE_QUADRATIC;
-	case K_CUBIC_SPLINE:
-		return SPLINE_CUBIC;
-	case K_NATURAL_SPLINE:
-		return SPLINE_NATURAL;
-	default:
-		return SPLINE_LINEAR;
-	}
-}
-
-const struct spline *spline_build(
-	struct parser *p, const struct spline *base, enum keyword type, size_t start, span where)
-{
-	struct grammar *g = p->grammar;
-	const size_t added = (g->arg_count - start) / 2, old = base ? base->count : 0;
-	struct entries e = { ARENA_ARRAY(p->arena, old + added + 1, double),
-		arena_array(p->arena, old + added + 1, sizeof(double[5])), old };
-	struct spline *spline = ARENA_NEW(p->arena, struct spline);
-	unsigned terms = base ? base->terms : 2;
-	if (!g->spline_warned)
-		diag_warning(p->diag, where, "splines are an experimental feature of the language");
-	g->spline_warned = true;
-	if (old) {
-		memcpy(e.keys, base->keys, old * sizeof *e.keys);
-		memcpy(e.values, base->values, old * sizeof *e.values);
-	}
-	for (size_t i = 0; i < added; i++) {
-		const struct number value = g->args[start + 2 * i + 1].number;
-		double v[5] = { 0 };
-		memcpy(v, value.v, value.terms * sizeof *v);
-		terms = value.terms > terms ? value.terms : terms;
-		insert(&e, g->args[start + 2 * i].number.v[0], v);
-	}
-	g->arg_count = start;
-	if (!e.count)
-		parser_error(p, where, "a spline needs at least one entry");
-	spline->type = type != K_NONE ? type_of(type) : base ? base->type : SPLINE_LINEAR;
-	spline->terms = terms;
-	spline->count = e.count;
-	spline->keys = e.keys;
-	spline->values = (const double(*)[5])e.values;
-	return spline;
-}
-
 /* -- Evaluating --------------------------------------------------------------------------- */
 
 /* One component of a spline. */
@@ -151,13 +67,13 @@ static double cubic(const struct curve *c, size_t i, double p)
 	       mb * (u3 - u2);
 }
 
-/* The second derivatives at the keys, zero at both ends. `work` holds 3 (n + 1) numbers; they are
- * its first n + 1. */
-static void second_derivatives(const struct curve *c, double *work)
+/* The second derivatives of a component at the keys, zero at both ends. `work` holds 2 (n + 1)
+ * numbers. */
+static void second_derivatives(const struct curve *c, double *work, double (*m)[5])
 {
 	const size_t n = c->n;
-	double *m = work, *u = work + n + 1, *w = work + 2 * (n + 1);
-	m[0] = m[n] = 0;
+	double *u = work, *w = work + n + 1;
+	m[0][c->k] = m[n][c->k] = 0;
 	for (size_t j = 1; j < n; j++) {
 		const double h = c->t[j + 1] - c->t[j], before = c->t[j] - c->t[j - 1];
 		const double b = (value_at(c, j + 1) - value_at(c, j)) / h;
@@ -169,15 +85,30 @@ static void second_derivatives(const struct curve *c, double *work)
 			w[j] -= before * w[j - 1] / u[j - 1];
 		}
 	}
-	for (size_t j = n - 1; j >= 1; j--)
-		m[j] = (w[j] - (c->t[j + 1] - c->t[j]) * m[j + 1]) / u[j];
+	for (size_t j = n; j-- > 1;)
+		m[j][c->k] = (w[j] - (c->t[j + 1] - c->t[j]) * m[j + 1][c->k]) / u[j];
 }
 
-static double natural(const struct curve *c, size_t i, double p, double *work)
+/* As a natural spline. */
+static struct spline *naturalize(struct arena *arena, const struct spline *s)
 {
-	second_derivatives(c, work);
+	struct spline *out = ARENA_NEW(arena, struct spline);
+	double(*m)[5] = arena_array(arena, s->count + 1, sizeof(double[5]));
+	double *work = ARENA_ARRAY(arena, 2 * (s->count + 1), double);
+	for (unsigned k = 0; s->count && k < s->terms; k++) {
+		const struct curve c = { s->keys, s->values, s->count - 1, k };
+		second_derivatives(&c, work, m);
+	}
+	*out = *s;
+	out->type = SPLINE_NATURAL;
+	out->curvature = (const double(*)[5])m;
+	return out;
+}
+
+static double natural(const struct curve *c, size_t i, double p, const double (*m)[5])
+{
 	const size_t a = i - 1;
-	const double h = c->t[i] - c->t[a], d = p - c->t[a], ma = work[a], mb = work[i];
+	const double h = c->t[i] - c->t[a], d = p - c->t[a], ma = m[a][c->k], mb = m[i][c->k];
 	const double va = value_at(c, a), vb = value_at(c, i);
 	return va + d * (-(h / 6) * (mb + 2 * ma) + (vb - va) / h +
 				d * (ma / 2 + d * (mb - ma) / (6 * h)));
@@ -197,40 +128,132 @@ static size_t find(const struct spline *s, double p)
 	return lo;
 }
 
-static double component(
-	const struct curve *c, enum spline_type type, size_t i, double p, double *work)
+static double component(const struct spline *s, const struct curve *c, size_t i, double p)
 {
 	if (c->n == 0)
 		return value_at(c, 0);
-	if (type == SPLINE_CUBIC)
+	if (s->type == SPLINE_CUBIC)
 		return cubic(c, i, p);
 	if (i == 0)
 		return value_at(c, 0);
 	if (i > c->n || p >= c->t[c->n])
 		return value_at(c, c->n);
-	switch (type) {
+	switch (s->type) {
 	case SPLINE_QUADRATIC:
 		return quadratic(c, i, p);
 	case SPLINE_NATURAL:
-		return natural(c, i, p, work);
+		return natural(c, i, p, s->curvature);
 	default:
 		return linear(c, i, p);
 	}
 }
 
+void spline_value(const struct spline *s, double at, double result[5])
+{
+	memset(result, 0, 5 * sizeof *result);
+	if (!s->count)
+		return;
+	const size_t i = find(s, at);
+	for (unsigned k = 0; k < s->terms; k++) {
+		const struct curve c = { s->keys, s->values, s->count - 1, k };
+		result[k] = component(s, &c, i, at);
+	}
+}
+
+static enum spline_type type_of(enum keyword word)
+{
+	switch (word) {
+	case K_QUADRATIC_SPLINE:
+		return SPLINE_QUADRATIC;
+	case K_CUBIC_SPLINE:
+		return SPLINE_CUBIC;
+	case K_NATURAL_SPLINE:
+		return SPLINE_NATURAL;
+	default:
+		return SPLINE_LINEAR;
+	}
+}
+
+/* With another type than its own: the same entries. */
 struct number spline_call(
 	struct parser *p, const struct spline *s, enum keyword type, double at, span where)
 {
 	(void)where;
-	const enum spline_type kind = type == K_NONE ? s->type : type_of(type);
+	struct spline as = *s;
+	as.type = type == K_NONE ? s->type : type_of(type);
+	if (as.type == SPLINE_NATURAL && !as.curvature)
+		as = *naturalize(p->arena, s);
 	struct number out = { .terms = (uint8_t)s->terms };
-	if (!s->count)
-		return out;
-	double *work = kind == SPLINE_NATURAL ? ARENA_ARRAY(p->arena, 3 * s->count, double) : NULL;
-	const size_t i = find(s, at);
-	for (unsigned k = 0; k < s->terms; k++) {
-		const struct curve c = { s->keys, s->values, s->count - 1, k };
-		out.v[k] = component(&c, kind, i, at, work);
-	}
+	spline_value(&as, at, out.v);
 	return out;
+}
+
+/* -- Building ----------------------------------------------------------------------------- */
+
+void spline_entry(struct parser *p, double key, span key_at, struct number value, span at)
+{
+	if (value.terms == 1) { /* at least a 2-vector */
+		value.terms = 2;
+		value.v[1] = value.v[0];
+	}
+	args_push_number(p, number_float(key), key_at);
+	args_push_number(p, value, at);
+}
+
+struct entries {
+	double *keys;
+	double (*values)[5];
+	size_t count;
+};
+
+/* Keeps the keys sorted. An equal key replaces the value, but not that of the largest key. */
+static void insert(struct entries *e, double key, const double value[5])
+{
+	size_t i = e->count;
+	while (i > 0 && e->keys[i - 1] >= key)
+		i--;
+	if (i < e->count && e->keys[i] == key) {
+		if (i + 1 < e->count || e->count < 2)
+			memcpy(e->values[i], value, sizeof e->values[i]);
+		return;
+	}
+	memmove(e->keys + i + 1, e->keys + i, (e->count - i) * sizeof *e->keys);
+	memmove(e->values + i + 1, e->values + i, (e->count - i) * sizeof *e->values);
+	e->keys[i] = key;
+	memcpy(e->values[i], value, sizeof e->values[i]);
+	e->count++;
+}
+
+const struct spline *spline_build(
+	struct parser *p, const struct spline *base, enum keyword type, size_t start, span where)
+{
+	struct grammar *g = p->grammar;
+	const size_t added = (g->arg_count - start) / 2, old = base ? base->count : 0;
+	struct entries e = { ARENA_ARRAY(p->arena, old + added + 1, double),
+		arena_array(p->arena, old + added + 1, sizeof(double[5])), old };
+	struct spline *spline = ARENA_NEW(p->arena, struct spline);
+	unsigned terms = base ? base->terms : 2;
+	if (!g->spline_warned)
+		diag_warning(p->diag, where, "splines are an experimental feature of the language");
+	g->spline_warned = true;
+	if (old) {
+		memcpy(e.keys, base->keys, old * sizeof *e.keys);
+		memcpy(e.values, base->values, old * sizeof *e.values);
+	}
+	for (size_t i = 0; i < added; i++) {
+		const struct number value = g->args[start + 2 * i + 1].number;
+		double v[5] = { 0 };
+		memcpy(v, value.v, value.terms * sizeof *v);
+		terms = value.terms > terms ? value.terms : terms;
+		insert(&e, g->args[start + 2 * i].number.v[0], v);
+	}
+	g->arg_count = start;
+	if (!e.count)
+		parser_error(p, where, "a spline needs at least one entry");
+	spline->type = type != K_NONE ? type_of(type) : base ? base->type : SPLINE_LINEAR;
+	spline->terms = terms;
+	spline->count = e.count;
+	spline->keys = e.keys;
+	spline->values = (const double(*)[5])e.values;
+	return spline->type == SPLINE_NATURAL ? naturalize(p->arena, spline) : spline;
 }

@@ -6,6 +6,7 @@
  */
 #include "render/function/program.h"
 
+#include "parser/ast.h"
 #include "render/pattern.h"
 #include "render/texture.h"
 
@@ -50,7 +51,7 @@ static double binary(enum opcode op, double a, double b)
 	case OP_MIN:
 		return a < b ? a : b;
 	case OP_MAX:
-		return a > b ? a : b;
+		return a < b ? b : a; /* the first operand unless the second is larger */
 	default:
 		return 0;
 	}
@@ -222,6 +223,8 @@ void program_components(const struct program *p, const double *arguments, double
 		result[2] = c.b;
 		result[3] = c.filter;
 		result[4] = c.transmit;
+	} else if (p->kind == PROGRAM_SPLINE) {
+		spline_value(p->spline, arguments[0], result);
 	} else if (p->kind == PROGRAM_TRANSFORM) {
 		const vec3 q = transform_point(&p->place, point_of(arguments));
 		result[0] = q.x;

@@ -76,6 +76,7 @@ enum program_kind {
 	PROGRAM_PATTERN,
 	PROGRAM_PIGMENT,
 	PROGRAM_TRANSFORM,
+	PROGRAM_SPLINE,
 };
 
 enum { PROGRAM_REGISTERS_MAX = 256, PROGRAM_CALLS_MAX = 255, PROGRAM_PARAMETERS_MAX = 56 };
@@ -95,6 +96,7 @@ struct program {
 	const struct pattern *pattern;
 	const struct pigment *pigment;
 	transform place;
+	const struct spline *spline;
 };
 
 /* The first component of the result. */

@@ -635,9 +635,12 @@ static bool compile_kind(struct lowering *l, const struct function *f, struct pr
 		p->place = lower_transform(l, f->node);
 		return true;
 	case FUNCTION_SPLINE:
-		break;
+		p->kind = PROGRAM_SPLINE;
+		p->parameters = 1;
+		p->components = f->spline->terms;
+		p->spline = f->spline;
+		return true;
 	}
-	diag_error(l->diag, f->span, "not supported yet: a spline as a function of the renderer");
 	return false;
 }
 

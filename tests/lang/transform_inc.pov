@@ -9,4 +9,5 @@ Show(transform { Rotate_Around_Trans(<0, 30, 0>, <1, 0, 1>) })
 Show(transform { Reorient_Trans(x, <1, 1, 1>) })
 Show(transform { Point_At_Trans(<1, 2, 0>) })
 Show(transform { Matrix_Trans(y, z, x, <1, 1, 1>) })
-#debug concat(vstr(3, vinv_transform(<1, 2, 3>, transform { rotate 45*y translate x }), " ", 0, 6), "\n")
+#debug concat(vstr(3, vinv_transform(<1, 2, 3>, transform { rotate 45*y translate x }),
+	" ", 0, 6), "\n")

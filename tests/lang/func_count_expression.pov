@@ -1,0 +1,4 @@
+// The same in an expression.
+#version 3.7;
+#declare F = function(a, b) { a + b }
+#declare A = F(1, 2, 3);

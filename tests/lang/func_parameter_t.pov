@@ -1,0 +1,3 @@
+// t is no parameter.
+#version 3.7;
+#declare F = function(t) { t*2 }

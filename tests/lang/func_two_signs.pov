@@ -1,0 +1,3 @@
+// Two signs are an error.
+#version 3.7;
+#declare F = function(x) { - -x }
