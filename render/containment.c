@@ -25,13 +25,6 @@ static const struct interior *const *members(const struct containment *c)
 	return c->room ? c->spill : c->own;
 }
 
-struct containment containment_borrow(const struct containment *c)
-{
-	struct containment copy = *c;
-	copy.borrowed = true;
-	return copy;
-}
-
 /* Moves the list to an array of its own with room for `room`. */
 static void move_out(struct containment *c, uint32_t room, struct arena *arena)
 {

@@ -18,14 +18,14 @@ struct stack {
 };
 
 const struct texture *surface_open(
-	struct surface *s, const struct hit *hit, ray r, vec3 *evaluate_at)
+	struct surface *s, const struct hit *hit, const ray *r, vec3 *evaluate_at)
 {
 	const struct object *object = hit->object;
-	s->point = ray_at(r, hit->t);
-	s->direction = r.direction;
+	s->point = ray_at(*r, hit->t);
+	s->direction = r->direction;
 	s->hit = hit;
 	s->geometric = object_normal(hit, s->point);
-	const bool back = vec_dot(s->geometric, r.direction) > 0;
+	const bool back = vec_dot(s->geometric, s->direction) > 0;
 	if (back)
 		s->geometric = vec_negate(s->geometric);
 	s->current = s->geometric;
@@ -204,10 +204,12 @@ static float raise(float base, float exponent)
 static rgb reflection_trace(struct worker *w, const struct point *at, const struct reflection *r)
 {
 	const struct finish *f = r->finish;
-	struct path path = { .inside = containment_borrow(&at->path->inside),
-		.level = at->path->level,
-		.weight = at->path->weight * r->weight,
-		.kind = RAY_REFLECTED };
+	struct path path;
+	containment_borrow(&path.inside, &at->path->inside);
+	path.level = at->path->level;
+	path.weight = at->path->weight * r->weight;
+	path.kind = RAY_REFLECTED;
+	path.straight = false;
 	path.ray.origin = at->surface.point;
 	path.ray.direction =
 		mirror_direction(at->surface.direction, r->normal, at->surface.geometric);
@@ -324,9 +326,13 @@ static void share_lights(struct worker *w, struct point *at)
 struct seen shade_hit(
 	struct worker *w, struct path *path, const struct hit *hit, struct passage *onward)
 {
-	struct point at = { .path = path, .object = hit->object, .depth = hit->t };
+	struct point at; /* field by field: clearing all of it first takes longer than the rest */
+	at.path = path;
+	at.object = hit->object;
+	at.depth = hit->t;
+	at.shares_lights = false;
 	vec3 p;
-	const struct texture *texture = surface_open(&at.surface, hit, path->ray, &p);
+	const struct texture *texture = surface_open(&at.surface, hit, &path->ray, &p);
 	const size_t shared = w->incidence_count;
 	struct seen seen = { 0 };
 	if (texture->layer_count != 1)

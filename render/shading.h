@@ -155,7 +155,8 @@ double worker_random(struct worker *);
  * ray that goes on. */
 struct seen shade_hit(struct worker *, struct path *, const struct hit *, struct passage *onward);
 /* The texture that shows at a hit, and the point to evaluate it at. Turns the normal. */
-const struct texture *surface_open(struct surface *, const struct hit *, ray, vec3 *evaluate_at);
+const struct texture *surface_open(
+	struct surface *, const struct hit *, const ray *, vec3 *evaluate_at);
 
 /* Resolves a patterned texture into parts[returned] to parts[part_count - 1]; the caller sets
  * part_count back when it is done with them. */
@@ -224,8 +225,12 @@ void passage_follow(struct worker *, const struct point *, const struct passage 
 /* ---- containment.c ---- */
 
 const struct interior *object_interior(const struct object *);
-/* A copy to be changed on its own, while the original stays as it is. */
-struct containment containment_borrow(const struct containment *);
+/* Makes *c a copy to be changed on its own, while the original stays as it is. */
+static inline void containment_borrow(struct containment *c, const struct containment *original)
+{
+	*c = *original;
+	c->borrowed = true;
+}
 bool containment_has(const struct containment *, const struct interior *);
 /* Removes the interior if it is there, appends it if not. */
 void containment_toggle(struct containment *, const struct interior *, struct arena *);

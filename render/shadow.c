@@ -46,7 +46,7 @@ static rgb crossing_tint(struct worker *w, const struct hit *hit, ray r, double 
 	const struct interior *interior = object_interior(hit->object);
 	struct surface s;
 	vec3 p;
-	const struct texture *texture = surface_open(&s, hit, r, &p);
+	const struct texture *texture = surface_open(&s, hit, &r, &p);
 	rgb tint;
 	if (texture->layer_count > 0) {
 		const struct texture_part whole = { .texture = texture, .weight = 1, .p = p };
@@ -82,7 +82,8 @@ static double just_above(double t)
 static rgb tinted(struct worker *w, const struct light *light, const struct point *at, ray r,
 	double limit, double distance, rgb arriving)
 {
-	struct containment inside = containment_borrow(&at->path->inside);
+	struct containment inside;
+	containment_borrow(&inside, &at->path->inside);
 	double from = 0;
 	struct hit hit;
 	while (w->scene->has_tinted_shadows && !rgb_is_zero(arriving) &&

@@ -78,36 +78,42 @@ double worker_random(struct worker *w)
 
 /* ---- rays ---- */
 
-/* One stretch: to the next surface, or to the sky. */
+/* To the next surface, *depth away, or to the sky. */
+static struct seen surface_or_sky(
+	struct worker *w, struct path *path, struct passage *onward, double *depth)
+{
+	const struct scene *scene = w->scene;
+	struct hit hit;
+	if (accel_nearest(scene->accel, &path->ray, T_MIN, T_MISS, path->kind, &hit)) {
+		*depth = hit.t;
+		return shade_hit(w, path, &hit, onward);
+	}
+	*depth = T_MISS;
+	onward->present = false;
+	return sky_seen(scene, path->ray.direction, path->kind == RAY_REFLECTED);
+}
+
+/* One stretch, through the fog that fills it. */
 static struct seen stretch_trace(struct worker *w, struct path *path, struct passage *onward)
 {
 	const struct scene *scene = w->scene;
-	const ray r = path->ray;
-	const bool fog = is_foggy(scene) && containment_is_hollow(&path->inside);
-	struct hit hit;
-	struct seen seen;
-	double depth = T_MISS;
+	double depth;
 	if (!path->straight)
 		path->level++;
 	if ((uint64_t)path->level > w->stats.max_level)
 		w->stats.max_level = (uint64_t)path->level;
+	if (!is_foggy(scene) || !containment_is_hollow(&path->inside))
+		return surface_or_sky(w, path, onward, &depth);
 
-	if (accel_nearest(scene->accel, &r, T_MIN, T_MISS, path->kind, &hit)) {
-		depth = hit.t;
-		seen = shade_hit(w, path, &hit, onward);
-	} else {
-		onward->present = false;
-		seen = sky_seen(scene, r.direction, path->kind == RAY_REFLECTED);
-	}
-	if (fog) {
-		rgb factor, added;
-		fog_effect(scene, r, depth, &factor, &added);
-		seen.light = rgb_add(added, rgb_mul(factor, seen.light));
-		seen.transmit *= rgb_luminance(factor);
-		if (onward->present) {
-			onward->factor = rgb_mul(onward->factor, factor);
-			onward->transmit *= rgb_luminance(factor);
-		}
+	const ray r = path->ray; /* the path itself goes on */
+	struct seen seen = surface_or_sky(w, path, onward, &depth);
+	rgb factor, added;
+	fog_effect(scene, r, depth, &factor, &added);
+	seen.light = rgb_add(added, rgb_mul(factor, seen.light));
+	seen.transmit *= rgb_luminance(factor);
+	if (onward->present) {
+		onward->factor = rgb_mul(onward->factor, factor);
+		onward->transmit *= rgb_luminance(factor);
 	}
 	return seen;
 }
@@ -137,14 +143,20 @@ struct seen trace_path(struct worker *w, struct path *path)
 colour trace_sample(struct worker *w, double x, double y)
 {
 	const struct scene *scene = w->scene;
-	struct path path = { .weight = 1, .kind = RAY_CAMERA };
+	struct path path;
 	if (!camera_ray(&scene->camera, x, y, w->width, w->height, &path.ray))
 		return (colour){ .transmit = 1 };
 	w->stats.camera_rays++;
 	w->sample_key = random_key(x, y);
 	w->draws = 0;
-	path.inside = w->origin_moves ? containment_at(scene, path.ray.origin, w->scratch)
-				      : containment_borrow(&w->at_camera);
+	path.weight = 1;
+	path.level = 0;
+	path.kind = RAY_CAMERA;
+	path.straight = false;
+	if (w->origin_moves)
+		path.inside = containment_at(scene, path.ray.origin, w->scratch);
+	else
+		containment_borrow(&path.inside, &w->at_camera);
 
 	const struct seen seen = trace_path(w, &path);
 	if (arena_used(w->scratch) > 0)

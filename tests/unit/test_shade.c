@@ -216,7 +216,7 @@ static void interiors_toggle(void **unused)
 	}
 	assert_false(containment_is_hollow(&c));
 	const struct containment kept = c;
-	c = containment_borrow(&kept);
+	containment_borrow(&c, &kept);
 	for (size_t i = 0; i < 12; i += 2)
 		containment_toggle(&c, &many[i], arena);
 	for (size_t i = 0; i < 12; i++) {
