@@ -50,7 +50,7 @@ static void incidence_find(struct incidence *in, const struct light *light, vec3
 {
 	in->distance = light_direction(light, light->location, p, &in->direction);
 	in->colour = light->colour;
-	if (!grid)
+	if (!grid && light_attenuates(light))
 		in->colour = rgb_scale(
 			in->colour, light_attenuation(light, p, in->direction, in->distance));
 	in->known = true;
@@ -173,6 +173,15 @@ static rgb light_grid(struct worker *w, const struct point *at, const struct coa
 	return sum;
 }
 
+/* Whether a light that stands at one point is behind a layer that shows nothing of such light. This
+ * is seen before its direction is made unit: a sine of rounding errors is no cosine of 1e-10. */
+static bool is_wasted(const struct light *light, const struct point *at, const struct coat *coat)
+{
+	if (light->type == LIGHT_CYLINDER || light->parallel || coat->finish->diffuse_back != 0)
+		return false;
+	return vec_dot(coat->normal, vec_sub(light->location, at->surface.point)) <= 0;
+}
+
 static rgb light_one(struct worker *w, const struct point *at, const struct coat *coat,
 	const struct light *light, struct incidence *in)
 {
@@ -180,6 +189,8 @@ static rgb light_one(struct worker *w, const struct point *at, const struct coat
 			  w->scene->settings.quality >= 5;
 	const bool both_sides = at->object->double_illuminate || light->area_illumination;
 	struct response response;
+	if (!grid && !both_sides && is_wasted(light, at, coat))
+		return rgb_grey(0);
 	if (!in->known)
 		incidence_find(in, light, at->surface.point, grid);
 	if (rgb_is_dark(in->colour))

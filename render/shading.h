@@ -187,7 +187,12 @@ rgb metallic_factor(float metallic, rgb pigment, double cosine);
 /* The unit direction from p towards the light, seen as standing at `centre`, and the distance as
  * the light counts it (negative behind a parallel light). */
 double light_direction(const struct light *, vec3 centre, vec3 p, vec3 *direction);
-/* What cone and distance leave of the light. */
+/* Whether cone or distance take anything of the light. */
+static inline bool light_attenuates(const struct light *light)
+{
+	return light->type == LIGHT_SPOT || light->type == LIGHT_CYLINDER || light->fade_power > 0;
+}
+/* What they leave of it. */
 double light_attenuation(const struct light *, vec3 p, vec3 direction, double distance);
 
 /* ---- shadow.c, area_light.c ---- */
