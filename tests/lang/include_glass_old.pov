@@ -1,0 +1,4 @@
+// glass_old.inc can be included by itself.
+#version 3.7;
+#include "glass_old.inc"
+#debug "ok\n"

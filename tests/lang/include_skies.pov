@@ -1,0 +1,5 @@
+// skies.inc can be included after colors.inc.
+#version 3.7;
+#include "colors.inc"
+#include "skies.inc"
+#debug "ok\n"

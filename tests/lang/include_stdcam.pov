@@ -1,0 +1,5 @@
+// stdcam.inc can be included after colors.inc.
+#version 3.7;
+#include "colors.inc"
+#include "stdcam.inc"
+#debug "ok\n"

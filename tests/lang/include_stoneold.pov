@@ -1,0 +1,5 @@
+// stoneold.inc can be included after colors.inc.
+#version 3.7;
+#include "colors.inc"
+#include "stoneold.inc"
+#debug "ok\n"

@@ -1,0 +1,4 @@
+// sunpos.inc can be included by itself.
+#version 3.7;
+#include "sunpos.inc"
+#debug "ok\n"

@@ -1,0 +1,3 @@
+// A sky_sphere needs a pigment.
+#version 3.7;
+sky_sphere { }

@@ -1,0 +1,3 @@
+// uv_mapping comes before the texture.
+#version 3.7;
+sphere { 0, 1 pigment { rgb 1 } uv_mapping }

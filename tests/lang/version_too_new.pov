@@ -1,0 +1,2 @@
+// A version that is not there yet.
+#version 3.8;
