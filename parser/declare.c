@@ -57,7 +57,7 @@ static bool find_target(struct parser *p, bool local, struct target *t)
 	}
 	if (!t->symbol || (local && !element && t->symbol->table != s->table)) {
 		t->symbol = symbol_create(s, name, local ? s->table : SYMBOL_GLOBAL);
-		t->is_new = true;
+		t->is_new = t->symbol->entered = true;
 	}
 	t->slot = t->symbol->slot;
 	t->kept = t->symbol->kept;
@@ -91,6 +91,8 @@ static bool assign(struct parser *p, const struct target *t, const struct value 
 		return false;
 	}
 	*t->slot = *v;
+	if (!t->array)
+		t->symbol->entered = false;
 	return true;
 }
 
@@ -102,9 +104,8 @@ static bool accept_semicolon(struct parser *p)
 }
 
 /* The semicolon behind the value, which an expression needs. */
-static bool read_semicolon(struct parser *p, const struct value *v, span where)
+static bool read_semicolon(struct parser *p, bool expression, span where)
 {
-	const bool expression = v->kind == VALUE_NUMBER || v->kind == VALUE_COLOUR;
 	const bool found = accept_semicolon(p);
 	if (p->failed)
 		return false;
@@ -126,6 +127,13 @@ static bool read_semicolon(struct parser *p, const struct value *v, span where)
 	return false;
 }
 
+/* The name of a function or spline could have been the beginning of a call: it counts as one. */
+static bool is_expression(const struct value *v, const struct gate *g)
+{
+	return v->kind == VALUE_NUMBER || v->kind == VALUE_COLOUR || g->first == T_FUNCTION ||
+	       g->first == T_VECTOR_FUNCTION || g->first == T_SPLINE;
+}
+
 /* Reads the value and what ends it. */
 static bool read_value(struct parser *p, struct target *t, span where)
 {
@@ -138,7 +146,7 @@ static bool read_value(struct parser *p, struct target *t, span where)
 		if (v.kind == VALUE_ARRAY &&
 			((gate.delivered == 1 && gate.slot) || v.array->kind == VALUE_ARRAY))
 			v = value_copy(p->arena, &v);
-		ok = assign(p, t, &v) && read_semicolon(p, &v, where);
+		ok = assign(p, t, &v) && read_semicolon(p, is_expression(&v, &gate), where);
 	}
 	gate_close(p);
 	return ok;

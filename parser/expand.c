@@ -90,12 +90,7 @@ static uint32_t raw_length(const struct expand *x, const struct frame *f, struct
 	case RAW_INTEGER:
 	case RAW_NUMBER:
 	case RAW_NUMBER_TEXT: {
-		const char *text = f->source->bytes + raw.offset;
-		length = strspn(text, "0123456789.");
-		if (text[length] == 'e' || text[length] == 'E') {
-			length += text[length + 1] == '+' || text[length + 1] == '-' ? 2 : 1;
-			length += strspn(text + length, "0123456789");
-		}
+		number_at(f->source->bytes + raw.offset, &length);
 		break;
 	}
 	case RAW_STRING:
@@ -144,6 +139,11 @@ span raw_span(struct parser *p)
 	const struct frame *f = top_frame(p->expand);
 	return f->position == f->end ? end_span(f)
 				     : raw_span_of(p->expand, f, f->tokens[f->position]);
+}
+
+span raw_span_at(struct parser *p, const struct raw_token *raw)
+{
+	return raw_span_of(p->expand, top_frame(p->expand), *raw);
 }
 
 static void report_lexical(struct parser *p, const struct frame *f)
@@ -394,21 +394,6 @@ static int keyword_value(struct parser *p, enum keyword keyword, struct token_va
 	}
 }
 
-/* Words of directives that work without '#' between the statements of a scene. */
-static bool is_bare_directive(const struct expand *x, enum keyword keyword)
-{
-	return (keyword == K_DECLARE || keyword == K_INCLUDE || keyword == K_DEFAULT) &&
-	       x->gate == &x->scene_gate && x->gate->depth == 0;
-}
-
-/* A keyword with all that hangs on it; -1: it was a directive, go on. */
-static int keyword_fetch(struct parser *p, enum keyword keyword, struct token_value *v, span where)
-{
-	if (!is_bare_directive(p->expand, keyword))
-		return keyword_value(p, keyword, v);
-	return directive_bare(p, keyword, where) ? -1 : 0;
-}
-
 /* A name; -1: it was a macro, go on. `name` is at the present position. */
 static int name_fetch(struct parser *p, uint32_t name, struct token_value *v, span *where)
 {
@@ -485,7 +470,7 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 	}
 	case RAW_KEYWORD:
 		raw_take(p);
-		return keyword_fetch(p, (enum keyword)raw.payload, v, *where);
+		return keyword_value(p, (enum keyword)raw.payload, v);
 	case RAW_NAME:
 		return name_fetch(p, raw.payload, v, where);
 	case RAW_DIRECTIVE:
@@ -525,6 +510,13 @@ static int fetch(struct parser *p, struct token_value *v, span *where)
 	return token;
 }
 
+/* Words of directives that work without '#' between the statements of a scene. */
+static bool is_bare_directive(const struct expand *x, enum keyword keyword)
+{
+	return (keyword == K_DECLARE || keyword == K_INCLUDE || keyword == K_DEFAULT) &&
+	       x->gate == &x->scene_gate && x->gate->depth == 0;
+}
+
 /* Takes back the token handed back last, unless it belongs behind the text being read now. */
 static bool take_unread(struct expand *x, int *token, struct token_value *v, span *where)
 {
@@ -541,9 +533,13 @@ int expand_next(struct parser *p, struct token_value *v, span *where)
 {
 	struct expand *x = p->expand;
 	int token = -1;
-	while (token < 0 && !p->failed && !take_unread(x, &token, v, where)) {
-		*v = (struct token_value){ 0 };
-		token = fetch(p, v, where);
+	while (token < 0 && !p->failed) {
+		if (!take_unread(x, &token, v, where)) {
+			*v = (struct token_value){ 0 };
+			token = fetch(p, v, where);
+		}
+		if (token > 0 && v->keyword && is_bare_directive(x, v->keyword))
+			token = directive_bare(p, v->keyword, *where) ? -1 : 0;
 	}
 	if (p->failed) {
 		*v = (struct token_value){ 0 };

@@ -9,35 +9,8 @@
 
 /* -- Subscripts --------------------------------------------------------------------------- */
 
-/* The commonest subscripts, a number or a float variable alone, without a nested parse. */
-static bool plain_subscript(struct parser *p, double *value)
-{
-	struct expand *x = p->expand;
-	struct frame *f = &x->frames[x->frame_count - 1];
-	if (f->position + 1 >= f->end || f->tokens[f->position + 1].kind != ']')
-		return false;
-	const struct raw_token raw = f->tokens[f->position];
-	if (raw.kind == RAW_INTEGER) {
-		*value = raw.payload;
-	} else if (raw.kind == RAW_NAME) {
-		const struct name *n = &x->names.list[raw.payload];
-		if (n->hidden || !n->binding || n->binding->deprecated ||
-			n->binding->slot->kind != VALUE_NUMBER ||
-			n->binding->slot->number.terms != 1)
-			return false;
-		*value = n->binding->slot->number.v[0];
-	} else {
-		return false;
-	}
-	f->position += 2;
-	x->work += 2;
-	return true;
-}
-
 static bool read_subscript(struct parser *p, double *value)
 {
-	if (plain_subscript(p, value))
-		return true;
 	struct gate gate;
 	gate_open(p, &gate, false);
 	const bool ok = parse_float(p, value) && expect(p, ']', "']' behind the subscript");
@@ -45,8 +18,7 @@ static bool read_subscript(struct parser *p, double *value)
 	return ok;
 }
 
-/* The index a subscript means; false after an error. */
-static bool subscript_index(
+bool identifier_index(
 	struct parser *p, double f, size_t size, const char *name, span where, size_t *index)
 {
 	if (f < -EPSILON) {
@@ -80,7 +52,7 @@ struct value *identifier_element(
 		}
 		raw_take(p);
 		if (!read_subscript(p, &f) ||
-			!subscript_index(p, f, a->size[d], name, bracket, &index))
+			!identifier_index(p, f, a->size[d], name, bracket, &index))
 			return NULL;
 		at = at * a->size[d] + index;
 		*where = span_join(*where, bracket);
@@ -159,10 +131,22 @@ int identifier_token(struct parser *p, uint32_t name, span *where, struct token_
 
 /* -- defined ------------------------------------------------------------------------------ */
 
-/* N or N[i]: whether it has a value. */
+static bool is_constant(unsigned kind)
+{
+	return kind == RAW_INTEGER || kind == RAW_NUMBER || kind == RAW_NUMBER_TEXT ||
+	       kind == RAW_STRING;
+}
+
+/* N or N[i]: whether it has a value, or is just getting its first one. */
 static bool read_defined(struct parser *p, bool *defined)
 {
 	const struct raw_token *raw = raw_peek(p);
+	if (raw && is_constant(raw->kind)) {
+		const char *what = raw_describe(p, raw);
+		diag_warning(p->diag, raw_take(p), "%s is never a declared identifier", what);
+		*defined = false;
+		return true;
+	}
 	if (raw && raw->kind == RAW_KEYWORD) {
 		raw_take(p);
 		*defined = false;
@@ -179,7 +163,7 @@ static bool read_defined(struct parser *p, bool *defined)
 		if (!slot)
 			return false;
 	}
-	*defined = slot && slot->kind != VALUE_NONE;
+	*defined = slot && (slot->kind != VALUE_NONE || (symbol->entered && slot == symbol->slot));
 	return true;
 }
 

@@ -223,6 +223,23 @@ void note_comparison(struct parser *p, int token, span where)
 		diag_note(p->diag, where, "a comparison needs parentheses here: (a > b)");
 }
 
+/* What a run is to read, by its start token. */
+static const char *wanted(int start_token)
+{
+	switch (start_token) {
+	case T_START_DECLARED:
+		return "a value";
+	case T_START_STRING:
+		return "a string";
+	case T_START_FLOAT:
+		return "a float";
+	case T_START_CONDITION:
+		return "a condition";
+	default:
+		return NULL;
+	}
+}
+
 static bool ends_operand(int token)
 {
 	return token == T_NUMBER || token == T_VECTOR || token == T_COLOUR || token == T_STRING ||
@@ -245,6 +262,8 @@ static void hint(struct parser *p, const struct run *run, const struct queued *t
 	else if (t->value.keyword >= K_RGB && t->value.keyword <= K_RGBT && !ends_operand(before))
 		diag_note(p->diag, t->where,
 			"a colour in an expression must be declared: #declare C = rgb 1;");
+	else if (token == ';' && run->start_token == T_START_SCENE)
+		diag_note(p->diag, t->where, "a ';' ends directives only, such as #declare");
 	else if (token != '<' && ends_operand(before))
 		note_comparison(p, token, t->where);
 }
@@ -261,6 +280,8 @@ void syntax_error(struct parser *p, struct run *run, const char *expected)
 			t->value.name);
 		return;
 	}
+	if (!expected && !run->token_before)
+		expected = wanted(run->start_token);
 	if (t->token == T_UNDECLARED) {
 		parser_error_undeclared(p, t->where, t->value.name);
 		return;

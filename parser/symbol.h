@@ -19,6 +19,7 @@ struct symbol {
 	const char *text;      /* its name */
 	uint32_t name;	       /* id */
 	unsigned table;	       /* number of its table; 0: removed */
+	bool entered;	       /* its first value is being read: declared, but without a value */
 	bool kept;	       /* somebody holds on to it: do not recycle */
 	bool deprecated, deprecated_once;
 	const char *deprecation; /* message, NULL: a default text */

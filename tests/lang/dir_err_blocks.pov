@@ -1,0 +1,33 @@
+// 200 open blocks are too many.
+#version 3.7;
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+#if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if
+	(1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) #if (1) 
+ #debug "deep\n" #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end
+	#end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 
+#end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end #end 

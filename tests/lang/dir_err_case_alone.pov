@@ -1,0 +1,3 @@
+// #case without #switch.
+#version 3.7;
+#case (1)

@@ -1,0 +1,3 @@
+// #debug wants a string.
+#version 3.7;
+#debug 5

@@ -1,0 +1,3 @@
+// The '=' of a declaration.
+#version 3.7;
+#declare A 5;

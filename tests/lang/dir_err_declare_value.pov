@@ -1,0 +1,3 @@
+// A declaration needs a value.
+#version 3.7;
+#declare A = ;

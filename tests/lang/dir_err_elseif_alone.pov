@@ -1,0 +1,3 @@
+// #elseif without #if.
+#version 3.7;
+#elseif (1)

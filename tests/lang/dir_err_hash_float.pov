@@ -1,0 +1,3 @@
+// '#' before a float is an error.
+#version 3.7;
+#pi

@@ -1,0 +1,3 @@
+// A condition cannot be empty.
+#version 3.7;
+#if () #end

@@ -1,0 +1,3 @@
+// #include wants a string.
+#version 3.7;
+#include standard

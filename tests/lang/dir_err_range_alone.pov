@@ -1,0 +1,3 @@
+// #range without #switch.
+#version 3.7;
+#range (1, 2)

@@ -1,0 +1,3 @@
+// A third semicolon is an error.
+#version 3.7;
+#declare A = 1;;;

@@ -1,0 +1,4 @@
+// Comments must be closed in skipped text, too.
+#version 3.7;
+#if (0) /* not closed
+#end

@@ -1,0 +1,5 @@
+// A loop without its #end.
+#version 3.7;
+#declare I = 0;
+#while (I < 3)
+	#declare I = I + 1;
