@@ -319,6 +319,17 @@ static struct draft *draft_object(struct lowering *l, const struct node *n)
 	return d;
 }
 
+/* An interior_texture is the other side of a texture of the same object. */
+static void check_interior_texture(struct lowering *l, const struct node *n, const struct draft *d)
+{
+	const struct node *item = n->children;
+	while (item && item->keyword != K_INTERIOR_TEXTURE)
+		item = item->next;
+	if (item && !d->texture)
+		diag_error(l->diag, item->span,
+			"interior_texture needs a texture or pigment of the same object beside it");
+}
+
 static struct draft *draft_statement(struct lowering *l, const struct node *n)
 {
 	if (n->keyword == K_OBJECT)
@@ -338,14 +349,22 @@ static struct draft *draft_statement(struct lowering *l, const struct node *n)
 	return NULL;
 }
 
+static struct draft *draft_complete(struct lowering *l, const struct node *n)
+{
+	struct draft *d = draft_statement(l, n);
+	if (d)
+		check_interior_texture(l, n, d);
+	return d;
+}
+
 struct draft *draft_from_node(struct lowering *l, const struct node *item)
 {
 	if (item->keyword != K_REFERENCE)
-		return draft_statement(l, item);
+		return draft_complete(l, item);
 	const struct node *n = node_resolve(item);
 	const struct draft *declared = pointer_map_find(&l->drafts, n);
 	if (!declared) {
-		struct draft *fresh = draft_statement(l, n);
+		struct draft *fresh = draft_complete(l, n);
 		if (!fresh)
 			return NULL;
 		pointer_map_add(&l->drafts, n, fresh);

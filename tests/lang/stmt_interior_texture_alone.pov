@@ -1,0 +1,3 @@
+// An interior_texture needs a texture.
+#version 3.7;
+sphere { 0, 1 interior_texture { pigment { rgb 1 } } }
