@@ -10,6 +10,7 @@
 #define LAMBERT_PARSER_BUILD_H
 
 #include "parser/internal.h"
+#include "parser/quick.h"
 
 /* -- Semantic values (all fit the 64 bytes of a number with a companion) ------------------ */
 
@@ -106,10 +107,11 @@ struct run {
 	int start_token;
 	struct queued present;
 	const struct queued *last; /* the token delivered last, NULL: none */
+	size_t base;		   /* of its openings in those of the grammar */
 	size_t depth;		   /* open brackets */
 	unsigned braces;
-	struct opening *openings;
-	size_t opening_capacity;
+	bool closed;		  /* the last token closed the opening that was at `depth` */
+	enum quick_place next;	  /* whether the next token may begin a number */
 	enum keyword word;	  /* the last token, if it was a keyword */
 	enum keyword word_before; /* and the one before it */
 	int token_before;	  /* the token before the last */
@@ -127,6 +129,8 @@ struct function_scope;
 struct grammar {
 	struct arg *args;
 	size_t arg_count, arg_capacity;
+	struct opening *openings; /* open brackets of all runs */
+	size_t opening_top, opening_capacity;
 	unsigned nested; /* runs within runs */
 	struct function_scope *scope;
 	bool spline_warned;

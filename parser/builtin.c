@@ -89,7 +89,7 @@ static double clamp_unit(struct parser *p, enum keyword word, double a, span whe
 {
 	if (a >= -1 && a <= 1)
 		return a;
-	diag_warning(p->diag, where, "%s of a value outside -1 to 1", keyword_name(word));
+	parser_warning(p, where, "%s of a value outside -1 to 1", keyword_name(word));
 	return a > 1 ? 1 : a < -1 ? -1 : a;
 }
 
@@ -218,7 +218,7 @@ static struct number normalize(const struct call *c)
 	const vec3 v = arg_vector(c, 0);
 	if (v.x == 0 && v.y == 0 && v.z == 0) {
 		if (c->p->state->version >= 350)
-			diag_warning(c->p->diag, c->where, "vnormalize of a zero vector");
+			parser_warning(c->p, c->where, "vnormalize of a zero vector");
 		return number_vector(0, 0, 0);
 	}
 	return from_vector(vec_scale(v, 1 / sqrt(vec_dot(v, v))));

@@ -517,10 +517,16 @@ static bool is_bare_directive(const struct expand *x, enum keyword keyword)
 	       x->gate == &x->scene_gate && x->gate->depth == 0;
 }
 
+/* Whether a token handed back comes before the raw ones. */
+bool has_read_ahead(const struct expand *x)
+{
+	return x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count;
+}
+
 /* Takes back the token handed back last, unless it belongs behind the text being read now. */
 static bool take_unread(struct expand *x, int *token, struct token_value *v, span *where)
 {
-	if (!x->unread_count || x->unread[x->unread_count - 1].frame < x->frame_count)
+	if (!has_read_ahead(x))
 		return false;
 	const struct unread *u = &x->unread[--x->unread_count];
 	*token = u->token;
@@ -578,7 +584,7 @@ bool expand_plain_vector(struct parser *p, struct number *number, span *last)
 	struct frame *f = top_frame(x);
 	uint32_t at = f->position;
 	unsigned terms = 0;
-	if (x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count)
+	if (has_read_ahead(x))
 		return false;
 	for (;;) {
 		if (terms == 5 || !plain_component(f, &at, &number->v[terms++]) || at == f->end)
@@ -640,8 +646,45 @@ const char *token_describe(struct parser *p, int token, const struct token_value
 	return arena_printf(p->arena, "'%c'", token);
 }
 
+/* Looks for a punctuation mark in the raw tokens, which spares typing and handing back whatever else
+ * is there. */
+enum looked { LOOKED_NO, LOOKED_YES, LOOKED_UNSURE };
+static enum looked look(struct parser *p, int token)
+{
+	static const struct token_value none = { .keyword = K_NONE };
+	struct expand *x = p->expand;
+	struct frame *f = top_frame(x);
+	if (p->failed || f->position == f->end || has_read_ahead(x))
+		return LOOKED_UNSURE;
+	const struct raw_token raw = f->tokens[f->position];
+	switch (raw.kind) {
+	case RAW_DIRECTIVE:
+		return gate_holds(x->gate) &&
+				       !passes_gate(x, &f->source->directives[raw.payload])
+			       ? LOOKED_NO
+			       : LOOKED_UNSURE;
+	case RAW_KEYWORD:
+	case RAW_NAME:
+	case RAW_STRING:
+	case RAW_ERROR:
+		return LOOKED_UNSURE;
+	default:
+		break;
+	}
+	if ((int)raw.kind != token)
+		return LOOKED_NO;
+	f->position++;
+	x->work++;
+	p->token_count++;
+	x->before = *x->gate;
+	gate_note(x->gate, token, &none);
+	return LOOKED_YES;
+}
+
 bool expect(struct parser *p, int token, const char *what)
 {
+	if (look(p, token) == LOOKED_YES)
+		return true;
 	struct token_value v;
 	span where;
 	const int found = expand_next(p, &v, &where);
@@ -655,6 +698,9 @@ bool expect(struct parser *p, int token, const char *what)
 
 bool accept(struct parser *p, int token)
 {
+	const enum looked looked = look(p, token);
+	if (looked != LOOKED_UNSURE)
+		return looked == LOOKED_YES;
 	struct token_value v;
 	span where;
 	const int found = expand_next(p, &v, &where);

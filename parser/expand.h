@@ -127,12 +127,16 @@ bool expand_push_file(struct parser *, struct source *, span call);
 void gate_open(struct parser *, struct gate *, bool hold);
 void gate_close(struct parser *);
 
+/* Whether a token that was handed back comes before the raw ones. */
+bool has_read_ahead(const struct expand *);
 /* The next raw token as it stands, behind the ends of macros; NULL at the end of a file. */
 const struct raw_token *raw_peek(struct parser *);
 /* Steps over it; `span` of it. */
 span raw_take(struct parser *);
 /* Span of the raw token that raw_peek returns. */
 span raw_span(struct parser *);
+/* Span of a token of the present text. */
+span raw_span_at(struct parser *, const struct raw_token *);
 /* Words for a raw token in a message. */
 const char *raw_describe(struct parser *, const struct raw_token *);
 /* Takes the raw token if it is of that kind (and, for keywords, that payload). */
@@ -169,6 +173,9 @@ bool directive_bare(struct parser *, enum keyword, span);
 int identifier_token(struct parser *, uint32_t name, span *, struct token_value *);
 /* Reads the subscripts behind an array: the element. NULL after an error. */
 struct value *identifier_element(struct parser *, struct value *array, const char *name, span *);
+/* The index that a subscript means; false after an error. */
+bool identifier_index(struct parser *, double subscript, size_t size, const char *name, span where,
+	size_t *index);
 /* The test of #ifdef and defined(): reads "( N )". */
 bool identifier_defined(struct parser *, bool *);
 

@@ -83,6 +83,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %token T_START_SCENE T_START_FLOAT T_START_CONDITION T_START_STRING T_START_DECLARED
 %token T_START_NUMBER T_START_DEFAULTS
 %token END 0 "the end of the text"
+%token <number> T_SUM "a value"
 %token <named> T_NUMBER "a number" T_VECTOR "a vector" T_COLOUR "a colour"
 %token <text> T_STRING "a string"
 %token <ref> T_OBJECT "an object identifier" T_TEXTURE "a texture identifier"
@@ -637,6 +638,7 @@ input:
 
 sum:
 	  product
+	| T_SUM %prec ENDS
 	| sum '+' product { $$ = number_binary(p, '+', $1, $3, @$); }
 	| sum '-' product { $$ = number_binary(p, '-', $1, $3, @$); }
 	;
@@ -1361,6 +1363,7 @@ vector_list:
 	  %empty { $$ = $<doubles>0; }
 	| vector_list sum %prec ENDS { doubles_add(p, $1, $2, @2); $$ = $1; }
 	| vector_list sum ',' { doubles_add(p, $1, $2, @2); $$ = $1; }
+	| vector_list T_SUM ',' { doubles_add(p, $1, $2, @2); $$ = $1; }
 	| vector_list T_VECTOR ',' { doubles_add(p, $1, $2.number, @2); $$ = $1; }
 	;
 /* Faces and the texture indices behind them; one term is a texture index. */
@@ -1368,6 +1371,7 @@ face_list:
 	  %empty { $$ = $<doubles>0; }
 	| face_list sum %prec ENDS { doubles_face(p, $1, $2, @2); $$ = $1; }
 	| face_list sum ',' { doubles_face(p, $1, $2, @2); $$ = $1; }
+	| face_list T_SUM ',' { doubles_face(p, $1, $2, @2); $$ = $1; }
 	| face_list T_VECTOR ',' { doubles_face(p, $1, $2.number, @2); $$ = $1; }
 	;
 

@@ -38,6 +38,9 @@ struct parser {
 	const struct language_state *state;
 	enum charset charset;
 
+	/* While an expression is only tried (quick.c) nothing is reported, but noted. */
+	bool trial, refused;
+
 	/* An error was reported: expand_next returns 0 from now on, nested parsers unwind. */
 	bool failed;
 
@@ -58,6 +61,10 @@ struct language_state *parser_change_state(struct parser *);
 /* Reports an error and ends the token stream. Only the first is shown: what follows an error is
  * mostly its consequence. */
 void parser_error(struct parser *, span where, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+
+/* Reports a warning of an expression. */
+void parser_warning(struct parser *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
 /* The error for a word that names nothing (T_UNDECLARED), with the nearest known name. */

@@ -4,6 +4,7 @@
  * definition in a frame of its own.
  */
 #include "parser/expand.h"
+#include "parser/quick.h"
 
 #include "grammar.tab.h"
 
@@ -99,6 +100,8 @@ static bool is_reference(const struct parser *p, const struct gate *g)
 static bool read_argument(struct parser *p, struct argument *a)
 {
 	struct gate gate;
+	if (quick_variable(p, &a->slot))
+		return true;
 	gate_open(p, &gate, true);
 	const bool ok = parse_declared(p, &a->value) && !p->failed;
 	if (ok && is_reference(p, &gate))
@@ -143,7 +146,9 @@ static bool read_arguments(struct parser *p, const struct macro *m, struct argum
 	const int token = expand_next(p, &v, &where);
 	if (p->failed || token == ')')
 		return !p->failed;
-	return report_count(p, m, where, "found more than", m->parameter_count);
+	report_count(p, m, where, "found more than", m->parameter_count);
+	note_comparison(p, token, where);
+	return false;
 }
 
 static void bind_parameters(

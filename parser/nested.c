@@ -4,6 +4,7 @@
  * nest, since a directive inside a statement reads its own expressions.
  */
 #include "parser/build.h"
+#include "parser/quick.h"
 
 #include "grammar.tab.h"
 
@@ -22,10 +23,12 @@ static bool start_run(struct parser *p, struct run *run, int start)
 	run->start = start;
 	run->start_token = start;
 	run->last = NULL;
-	run->depth = run->opening_capacity = 0;
-	run->openings = NULL;
+	run->base = g->opening_top;
+	run->depth = 0;
+	run->closed = false;
 	run->braces = 0;
 	run->word = run->word_before = K_NONE;
+	run->next = NEXT_NONE;
 	run->accepted = false;
 	const size_t height = g->arg_count;
 	/* A value read within a function body does not see the body's parameters. */
@@ -36,6 +39,7 @@ static bool start_run(struct parser *p, struct run *run, int start)
 	g->nested--;
 	g->scope = scope;
 	g->arg_count = height;
+	g->opening_top = run->base;
 	return !failed && run->accepted && !p->failed;
 }
 
@@ -54,18 +58,22 @@ static bool to_float(struct parser *p, const struct run *run, double *value)
 bool parse_float(struct parser *p, double *value)
 {
 	struct run run;
-	return start_run(p, &run, T_START_FLOAT) && to_float(p, &run, value);
+	return quick_float(p, QUICK_SUM, value) ||
+	       (start_run(p, &run, T_START_FLOAT) && to_float(p, &run, value));
 }
 
 bool parse_condition(struct parser *p, double *value)
 {
 	struct run run;
-	return start_run(p, &run, T_START_CONDITION) && to_float(p, &run, value);
+	return quick_float(p, QUICK_FULL, value) ||
+	       (start_run(p, &run, T_START_CONDITION) && to_float(p, &run, value));
 }
 
 bool parse_number_any(struct parser *p, struct number *value)
 {
 	struct run run;
+	if (quick_number(p, value))
+		return true;
 	if (!start_run(p, &run, T_START_NUMBER))
 		return false;
 	*value = run.value.number;
@@ -84,6 +92,11 @@ bool parse_string(struct parser *p, const char **text, bool file_name)
 bool parse_declared(struct parser *p, struct value *value)
 {
 	struct run run;
+	struct number number;
+	if (quick_number(p, &number)) {
+		*value = value_number(number);
+		return true;
+	}
 	if (!start_run(p, &run, T_START_DECLARED))
 		return false;
 	*value = run.value;

@@ -123,7 +123,7 @@ struct number number_binary(struct parser *p, int op, struct number a, struct nu
 	for (unsigned i = 0; i < a.terms; i++)
 		a.v[i] = compute(op, a.v[i], b.v[i], &zero);
 	if (zero)
-		diag_warning(p->diag, where, "division by zero; the result is infinite");
+		parser_warning(p, where, "division by zero; the result is infinite");
 	return a;
 }
 

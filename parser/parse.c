@@ -23,7 +23,9 @@ struct language_state *parser_change_state(struct parser *p)
 
 void parser_error(struct parser *p, span where, const char *format, ...)
 {
-	if (p->failed)
+	if (p->trial)
+		p->refused = true;
+	if (p->failed || p->trial)
 		return;
 	char text[1024];
 	va_list args;
@@ -34,6 +36,20 @@ void parser_error(struct parser *p, span where, const char *format, ...)
 	if (where.source == 0 && p->expand->frame_count)
 		where = raw_span(p); /* the place reached is better than none */
 	diag_error(p->diag, where, "%s", text);
+}
+
+void parser_warning(struct parser *p, span where, const char *format, ...)
+{
+	if (p->trial) {
+		p->refused = true;
+		return;
+	}
+	char text[1024];
+	va_list args;
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	diag_warning(p->diag, where, "%s", text);
 }
 
 void parser_error_undeclared(struct parser *p, span where, const char *name)

@@ -4,8 +4,8 @@
  * with the small values the grammar keeps, remembers open brackets for
  * messages, and says in plain words what is wrong at a syntax error.
  *
- * Vectors of plain numbers, the bulk of every large scene, are put together
- * here and reach the grammar as one T_VECTOR.
+ * Numbers inside brackets, the bulk of every large scene, are read whole by the
+ * short way (quick.c) where that can be, and reach the grammar as one T_SUM.
  */
 #include "parser/build.h"
 
@@ -32,19 +32,62 @@ struct grammar *grammar_state(struct parser *p)
 
 static void open_bracket(struct parser *p, struct run *run, int token, span where)
 {
-	if (run->depth == run->opening_capacity) {
-		const size_t capacity = run->depth ? 2 * run->depth : 8;
+	struct grammar *g = p->grammar;
+	const size_t at = run->base + run->depth++;
+	if (at == g->opening_capacity) {
+		const size_t capacity = at ? 2 * at : 64;
 		struct opening *grown = ARENA_ARRAY(p->arena, capacity, struct opening);
-		if (run->depth)
-			memcpy(grown, run->openings, run->depth * sizeof *grown);
-		run->openings = grown;
-		run->opening_capacity = capacity;
+		if (at)
+			memcpy(grown, g->openings, at * sizeof *grown);
+		g->openings = grown;
+		g->opening_capacity = capacity;
 	}
-	run->openings[run->depth++] = (struct opening){ token, where, run->word_span, run->word };
+	g->openings[at] = (struct opening){ token, where, run->word_span, run->word };
+	g->opening_top = at + 1;
+}
+
+static void close_bracket(struct parser *p, struct run *run)
+{
+	if (!run->depth)
+		return;
+	run->depth--;
+	run->closed = true;
+	p->grammar->opening_top = run->base + run->depth;
+}
+
+/* Whether the token behind this one may begin a number. Not among the parameters of a function, which
+ * may be called x. */
+static enum quick_place place_behind(
+	const struct parser *p, const struct run *run, const struct queued *t)
+{
+	if (!run->depth || p->grammar->openings[run->base + run->depth - 1].keyword == K_FUNCTION)
+		return NEXT_NONE;
+	switch (t->token) {
+	case '{':
+	case '(':
+	case '[':
+	case ',':
+		return NEXT_ANY;
+	case T_SUM:
+		return NEXT_AFTER_SUM;
+	case KW_X:
+	case KW_Y:
+	case KW_Z:
+	case KW_U:
+	case KW_V:
+	case KW_T:
+	case KW_MATRIX:
+	case T_NUMBER: /* some constants have a keyword, too */
+		return NEXT_NONE;
+	default:
+		return t->value.keyword != K_NONE && run->token_before != '.' ? NEXT_AFTER_WORD
+									      : NEXT_NONE;
+	}
 }
 
 static void note_token(struct parser *p, struct run *run, const struct queued *t)
 {
+	run->closed = false;
 	switch (t->token) {
 	case '{':
 		run->braces++;
@@ -60,8 +103,7 @@ static void note_token(struct parser *p, struct run *run, const struct queued *t
 		/* fall through */
 	case ')':
 	case ']':
-		if (run->depth)
-			run->depth--;
+		close_bracket(p, run);
 		break;
 	default:
 		break;
@@ -69,9 +111,10 @@ static void note_token(struct parser *p, struct run *run, const struct queued *t
 	run->word_before = run->word;
 	run->word = t->value.keyword;
 	run->word_span = t->where;
+	run->next = place_behind(p, run, t);
 }
 
-/* -- Plain vectors ------------------------------------------------------------------------ */
+/* -- The next token ----------------------------------------------------------------------- */
 
 static int fetch(struct parser *p, struct queued *t)
 {
@@ -85,6 +128,14 @@ static struct queued *next_token(struct parser *p, struct run *run)
 {
 	struct queued *t = &run->present;
 	span last;
+	if (run->next != NEXT_NONE && !p->grammar->scope &&
+		quick_sum(p, run->next, &t->value.number, &t->where)) {
+		t->token = T_SUM;
+		t->value.keyword = K_NONE;
+		t->value.symbol = NULL;
+		t->value.name = NULL;
+		return t;
+	}
 	/* Only inside braces, elsewhere the '<' may have to be handed back; and not in the
 	 * expressions of functions, where it may mean "less than": min(x<1, 2>y). */
 	if (fetch(p, t) == '<' && run->braces && !p->grammar->scope &&
@@ -112,6 +163,9 @@ static void convert(GRAMMAR_STYPE *out, int token, const struct token_value *v)
 		if (token == T_NUMBER)
 			out->named.number.terms = 1;
 		out->named.number.leftover = false;
+		break;
+	case T_SUM:
+		out->number = v->number;
 		break;
 	case T_STRING:
 		out->text = (struct text_value){ v->string, v->raw ? v->raw : v->string };
@@ -190,6 +244,8 @@ static const char *found_words(struct parser *p, const struct queued *t)
 		return token_name(&t->value) && t->value.symbol
 			       ? arena_printf(p->arena, "float '%s'", token_name(&t->value))
 			       : "number";
+	case T_SUM:
+		return t->value.number.terms == 1 ? "number" : "vector";
 	case T_HASH:
 		return "directive";
 	default:
@@ -206,9 +262,9 @@ static const char *found_words(struct parser *p, const struct queued *t)
 }
 
 /* The statement whose block is innermost, or NULL. */
-static const struct opening *innermost(const struct run *run)
+static const struct opening *innermost(const struct parser *p, const struct run *run)
 {
-	return run->depth ? &run->openings[run->depth - 1] : NULL;
+	return run->depth ? &p->grammar->openings[run->base + run->depth - 1] : NULL;
 }
 
 static bool is_closing(int token)
@@ -242,8 +298,8 @@ static const char *wanted(int start_token)
 
 static bool ends_operand(int token)
 {
-	return token == T_NUMBER || token == T_VECTOR || token == T_COLOUR || token == T_STRING ||
-	       token == ')' || token == '>';
+	return token == T_SUM || token == T_NUMBER || token == T_VECTOR || token == T_COLOUR ||
+	       token == T_STRING || token == ')' || token == '>';
 }
 
 /* Says what would be right where a habit from another language, or a comparison where only sums are
@@ -287,10 +343,8 @@ void syntax_error(struct parser *p, struct run *run, const char *expected)
 		return;
 	}
 	/* A closing bracket that does not fit has already been taken off the stack. */
-	const struct opening *open = is_closing(t->token) && run->depth < run->opening_capacity &&
-						     run->openings[run->depth].token != 0
-					     ? &run->openings[run->depth]
-					     : innermost(run);
+	const struct opening *open =
+		run->closed ? &p->grammar->openings[run->base + run->depth] : innermost(p, run);
 	const char *found = found_words(p, t);
 	if (t->token == 0 && open) {
 		const bool named = open->keyword != K_NONE;

@@ -9,6 +9,7 @@
  * T_GE (">="), T_NE ("!="), and for values:
  *
  *   T_NUMBER       float literal, float identifier, constant: number, symbol
+ *   T_SUM          a whole sum, from quick_sum only: number
  *   T_VECTOR       vector identifier of 2, 3 or 4 terms: number, symbol
  *   T_COLOUR       colour identifier: number of 5 terms, symbol
  *   T_STRING       string literal: string with escapes done, raw: as written; identifier: string

@@ -1,0 +1,579 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The short way for numbers. Most expressions of a scene are sums of literals,
+ * variables, array elements, vectors and calls of simple functions; this reads
+ * them straight from the raw tokens by recursive descent, several times as fast
+ * as the grammar can.
+ *
+ * It is only a short cut: every value comes from the same functions that the
+ * grammar's actions call. Where it meets anything else — a macro, a directive, a
+ * string, the end of the text, something that wants a message — it gives up
+ * without having moved, and the grammar reads the same tokens again and does
+ * whatever is due. So nothing here reports: reports are only noted (p->trial).
+ *
+ * The rules mirror those of grammar.y, from `full` down to `operand`. Commas,
+ * which the language lets one leave out, must be there.
+ */
+#include "parser/quick.h"
+
+#include "parser/build.h"
+
+#include "grammar.tab.h"
+
+enum {
+	MAX_DEPTH = 50, /* nested brackets and signs; more is left to the grammar */
+	MAX_DRAWS = 8,	/* calls of rand() in one expression */
+	NO_KIND = 0,	/* behind the last token of the text; no raw kind */
+};
+
+/* One attempt. */
+struct quick {
+	struct parser *p;
+	const struct frame *frame;
+	const struct raw_token *at, *end;
+	unsigned depth;
+	/* What rand() has changed, to be put back if the attempt fails. */
+	struct draw {
+		size_t stream;
+		uint32_t state;
+	} draws[MAX_DRAWS];
+	unsigned draw_count;
+};
+
+static bool read_sum(struct quick *, struct number *);
+static bool read_full(struct quick *, struct number *);
+
+static unsigned next_kind(const struct quick *q)
+{
+	return q->at < q->end ? q->at->kind : NO_KIND;
+}
+
+static bool skip(struct quick *q, unsigned kind)
+{
+	if (next_kind(q) != kind)
+		return false;
+	q->at++;
+	return true;
+}
+
+/* -- Identifiers -------------------------------------------------------------------------- */
+
+static struct value *read_element(struct quick *q, const struct array *a, const char *name)
+{
+	size_t at = 0;
+	for (unsigned d = 0; d < a->dimensions; d++) {
+		struct number n;
+		size_t index;
+		if (!skip(q, '[') || !read_sum(q, &n) || n.terms != 1 || !skip(q, ']') ||
+			!identifier_index(q->p, n.v[0], a->size[d], name, NO_SPAN, &index))
+			return NULL;
+		at = at * a->size[d] + index;
+	}
+	return &a->elements[at];
+}
+
+/* Where the value of the variable or element that comes next is; NULL: gives up. */
+static struct value *read_variable(struct quick *q, const struct symbol **found)
+{
+	const struct name *name = &q->p->expand->names.list[q->at->payload];
+	const struct symbol *symbol = name->binding;
+	if (name->hidden || !symbol || symbol->deprecated)
+		return NULL;
+	struct value *slot = symbol->slot;
+	q->at++;
+	while (slot && slot->kind == VALUE_ARRAY && next_kind(q) == '[')
+		slot = read_element(q, slot->array, symbol->text);
+	*found = symbol;
+	return slot;
+}
+
+static bool read_identifier(struct quick *q, struct number *n)
+{
+	const struct symbol *symbol;
+	const struct value *slot = read_variable(q, &symbol);
+	if (!slot || (slot->kind != VALUE_NUMBER && slot->kind != VALUE_COLOUR))
+		return false;
+	*n = slot->number;
+	n->leftover = false;
+	return true;
+}
+
+/* -- Words -------------------------------------------------------------------------------- */
+
+/* The streams of rand() go back if the attempt fails. */
+static bool note_draw(struct quick *q, const struct number *n)
+{
+	if (n->terms != 1 || q->draw_count == MAX_DRAWS)
+		return false;
+	const int stream = number_truncate(n->v[0]);
+	if (stream < 0 || (size_t)stream >= q->p->seed_count)
+		return false;
+	q->draws[q->draw_count++] = (struct draw){ (size_t)stream, q->p->seeds[stream] };
+	return true;
+}
+
+static bool read_float_function(struct quick *q, enum keyword word, struct number *n)
+{
+	q->at++;
+	if (!skip(q, '(') || !read_full(q, n) || !skip(q, ')') ||
+		(word == K_RAND && !note_draw(q, n)))
+		return false;
+	*n = builtin_float(q->p, word, *n, NO_SPAN);
+	return true;
+}
+
+static bool read_list_function(struct quick *q, enum keyword word, struct number *n)
+{
+	q->at++;
+	if (!skip(q, '('))
+		return false;
+	const size_t start = args_height(q->p);
+	do {
+		if (!read_sum(q, n))
+			return false;
+		args_push_number(q->p, *n, NO_SPAN);
+	} while (skip(q, ','));
+	if (!skip(q, ')'))
+		return false;
+	*n = builtin_list(q->p, word, start, NO_SPAN);
+	return true;
+}
+
+static bool read_word(struct quick *q, struct number *n)
+{
+	const enum keyword word = (enum keyword)q->at->payload;
+	switch (word) {
+	case K_X:
+	case K_Y:
+	case K_Z:
+	case K_U:
+	case K_V:
+	case K_T:
+	case K_PI:
+	case K_CLOCK:
+	case K_CLOCK_ON:
+	case K_VERSION:
+	case K_TRUE:
+	case K_YES:
+	case K_ON:
+	case K_FALSE:
+	case K_NO:
+	case K_OFF:
+		q->at++;
+		*n = builtin_constant(q->p, word);
+		return true;
+	case K_ABS:
+	case K_ACOS:
+	case K_ACOSH:
+	case K_ASIN:
+	case K_ASINH:
+	case K_ATAN:
+	case K_ATANH:
+	case K_CEIL:
+	case K_COS:
+	case K_COSH:
+	case K_DEGREES:
+	case K_EXP:
+	case K_FLOOR:
+	case K_INT:
+	case K_LN:
+	case K_LOG:
+	case K_RADIANS:
+	case K_RAND:
+	case K_SIN:
+	case K_SINH:
+	case K_SQRT:
+	case K_TAN:
+	case K_TANH:
+		return read_float_function(q, word, n);
+	case K_ATAN2:
+	case K_DIV:
+	case K_MOD:
+	case K_POW:
+	case K_MAX:
+	case K_MIN:
+	case K_SELECT:
+	case K_BITWISE_AND:
+	case K_BITWISE_OR:
+	case K_BITWISE_XOR:
+	case K_VDOT:
+	case K_VLENGTH:
+	case K_VCROSS:
+	case K_VNORMALIZE:
+	case K_VROTATE:
+	case K_VAXIS_ROTATE:
+		return read_list_function(q, word, n);
+	default:
+		return false;
+	}
+}
+
+/* -- From operands to sums ---------------------------------------------------------------- */
+
+/* < sum, sum … > */
+static bool read_literal(struct quick *q, struct number *n)
+{
+	struct number vector = { .terms = 0 };
+	q->at++;
+	do {
+		struct number term;
+		if (vector.terms == 5 || !read_sum(q, &term) || term.terms != 1)
+			return false;
+		vector.v[vector.terms++] = term.v[0];
+	} while (skip(q, ','));
+	*n = vector;
+	return vector.terms >= 2 && skip(q, '>');
+}
+
+static bool read_group(struct quick *q, struct number *n)
+{
+	q->at++;
+	return read_full(q, n) && skip(q, ')');
+}
+
+static bool read_operand(struct quick *q, struct number *n)
+{
+	switch (next_kind(q)) {
+	case RAW_INTEGER:
+		*n = number_float(q->at++->payload);
+		return true;
+	case RAW_NUMBER:
+		*n = number_float(q->frame->source->numbers[q->at++->payload]);
+		return true;
+	case RAW_NAME:
+		return read_identifier(q, n);
+	case RAW_KEYWORD:
+		return read_word(q, n);
+	case '<':
+		return read_literal(q, n);
+	case '(':
+		return read_group(q, n);
+	default:
+		return false;
+	}
+}
+
+static bool is_selector(const struct raw_token *raw)
+{
+	if (raw->kind != RAW_KEYWORD)
+		return false;
+	switch ((enum keyword)raw->payload) {
+	case K_X:
+	case K_Y:
+	case K_Z:
+	case K_U:
+	case K_V:
+	case K_T:
+	case K_RED:
+	case K_GREEN:
+	case K_BLUE:
+	case K_FILTER:
+	case K_TRANSMIT:
+	case K_GRAY:
+		return true;
+	default:
+		return false;
+	}
+}
+
+static bool read_component(struct quick *q, struct number *n)
+{
+	if (!read_operand(q, n))
+		return false;
+	if (!skip(q, '.'))
+		return true;
+	if (q->at == q->end || !is_selector(q->at))
+		return false;
+	*n = number_select(q->p, *n, (enum keyword)q->at++->payload, NO_SPAN);
+	return true;
+}
+
+static bool read_signed(struct quick *q, struct number *n)
+{
+	const unsigned sign = next_kind(q);
+	if (sign != '-' && sign != '+' && sign != '!')
+		return read_component(q, n);
+	q->at++;
+	if (q->depth == MAX_DEPTH)
+		return false;
+	q->depth++;
+	const bool ok = read_signed(q, n);
+	q->depth--;
+	if (sign == '-')
+		*n = number_negate(*n);
+	else if (sign == '!')
+		*n = number_not(*n);
+	return ok;
+}
+
+/* a = a op b; the commonest, floats, at once. */
+static void combine(struct quick *q, int op, struct number *a, const struct number *b)
+{
+	const bool floats = a->terms == 1 && b->terms == 1;
+	if (floats && op == '+')
+		a->v[0] += b->v[0];
+	else if (floats && op == '-')
+		a->v[0] -= b->v[0];
+	else if (floats && op == '*')
+		a->v[0] *= b->v[0];
+	else
+		*a = number_binary(q->p, op, *a, *b, NO_SPAN);
+}
+
+static bool read_product(struct quick *q, struct number *n)
+{
+	if (!read_signed(q, n))
+		return false;
+	for (unsigned op; (op = next_kind(q)) == '*' || op == '/';) {
+		struct number b;
+		q->at++;
+		if (!read_signed(q, &b))
+			return false;
+		combine(q, (int)op, n, &b);
+	}
+	return true;
+}
+
+static bool sum_of_products(struct quick *q, struct number *n)
+{
+	if (!read_product(q, n))
+		return false;
+	for (unsigned op; (op = next_kind(q)) == '+' || op == '-';) {
+		struct number b;
+		q->at++;
+		if (!read_product(q, &b))
+			return false;
+		combine(q, (int)op, n, &b);
+	}
+	return true;
+}
+
+static bool read_sum(struct quick *q, struct number *n)
+{
+	if (q->depth == MAX_DEPTH)
+		return false;
+	q->depth++;
+	const bool ok = sum_of_products(q, n);
+	q->depth--;
+	return ok;
+}
+
+/* -- Full expressions --------------------------------------------------------------------- */
+
+/* The grammar's operator for a relation, 0: none. */
+static int relation_of(unsigned kind)
+{
+	switch (kind) {
+	case '<':
+	case '>':
+	case '=':
+		return (int)kind;
+	case RAW_LE:
+		return T_LE;
+	case RAW_GE:
+		return T_GE;
+	case RAW_NE:
+		return T_NE;
+	default:
+		return 0;
+	}
+}
+
+static bool read_relation(struct quick *q, struct number *n)
+{
+	if (!read_sum(q, n))
+		return false;
+	for (int op; (op = relation_of(next_kind(q))) != 0;) {
+		struct number b;
+		q->at++;
+		if (!read_sum(q, &b))
+			return false;
+		combine(q, op, n, &b);
+	}
+	return true;
+}
+
+static bool read_logic(struct quick *q, struct number *n)
+{
+	if (!read_relation(q, n))
+		return false;
+	for (unsigned op; (op = next_kind(q)) == '&' || op == '|';) {
+		struct number b;
+		q->at++;
+		if (!read_relation(q, &b))
+			return false;
+		combine(q, (int)op, n, &b);
+	}
+	return true;
+}
+
+static bool read_full(struct quick *q, struct number *n)
+{
+	if (!read_logic(q, n))
+		return false;
+	if (!skip(q, '?')) {
+		*n = number_plain(*n);
+		return true;
+	}
+	struct number yes, no;
+	if (n->terms != 1 || !read_full(q, &yes) || !skip(q, ':') || !read_full(q, &no))
+		return false;
+	*n = number_is_true(q->p, *n, NO_SPAN) ? yes : no;
+	return true;
+}
+
+/* -- Attempts ----------------------------------------------------------------------------- */
+
+static bool begin(struct quick *q, struct parser *p)
+{
+	struct expand *x = p->expand;
+	if (p->failed || p->options->no_short_ways || has_read_ahead(x))
+		return false;
+	const struct frame *f = &x->frames[x->frame_count - 1];
+	q->p = p;
+	q->frame = f;
+	q->at = f->tokens + f->position;
+	q->end = f->tokens + f->end;
+	q->depth = 0;
+	q->draw_count = 0;
+	p->trial = true;
+	p->refused = false;
+	return true;
+}
+
+/* Ends the attempt. If it was good the text goes on behind it and the gate has seen one operand;
+ * else all is as it was. */
+static bool finish(struct quick *q, bool good, size_t height)
+{
+	struct parser *p = q->p;
+	struct expand *x = p->expand;
+	p->trial = false;
+	if (!good || p->refused) {
+		p->grammar->arg_count = height;
+		while (q->draw_count) {
+			const struct draw *d = &q->draws[--q->draw_count];
+			p->seeds[d->stream] = d->state;
+		}
+		return false;
+	}
+	struct frame *f = &x->frames[x->frame_count - 1];
+	const uint32_t position = (uint32_t)(q->at - f->tokens);
+	x->work += position - f->position;
+	p->token_count += position - f->position;
+	symbols_recycle(&x->symbols, p->token_count);
+	f->position = position;
+	x->gate->operand = true;
+	x->gate->dot = false;
+	x->gate->delivered += 2; /* not one identifier alone */
+	x->before = *x->gate;
+	return true;
+}
+
+/* A closing bracket, comma or semicolon ends any expression. */
+static bool at_close(const struct quick *q)
+{
+	const unsigned kind = next_kind(q);
+	return kind == ',' || kind == ')' || kind == ';' || kind == ']';
+}
+
+bool quick_number(struct parser *p, struct number *n)
+{
+	struct quick q;
+	if (!begin(&q, p))
+		return false;
+	const size_t height = args_height(p);
+	const bool ok = read_sum(&q, n) && at_close(&q);
+	if (!finish(&q, ok, height))
+		return false;
+	*n = number_plain(*n);
+	return true;
+}
+
+bool quick_float(struct parser *p, enum quick_level level, double *value)
+{
+	struct quick q;
+	struct number n;
+	if (!begin(&q, p))
+		return false;
+	const size_t height = args_height(p);
+	const bool ok = level == QUICK_FULL ? read_full(&q, &n) : read_sum(&q, &n);
+	if (!finish(&q, ok && n.terms == 1 && at_close(&q), height))
+		return false;
+	*value = n.v[0];
+	return true;
+}
+
+/* Whether the next token cannot continue a sum. */
+static bool at_end_of_sum(const struct quick *q)
+{
+	const struct name *name;
+	switch (next_kind(q)) {
+	case NO_KIND:
+	case RAW_ERROR:
+	case RAW_DIRECTIVE:
+	case '+':
+	case '-':
+	case '*':
+	case '/':
+	case '.':
+		return false;
+	case RAW_NAME:
+		name = &q->p->expand->names.list[q->at->payload];
+		return name->hidden || !name->binding || name->binding->slot->kind != VALUE_MACRO;
+	default:
+		return true;
+	}
+}
+
+static bool may_begin(const struct quick *q, enum quick_place place)
+{
+	switch (next_kind(q)) {
+	case RAW_INTEGER:
+	case RAW_NUMBER:
+	case RAW_NAME:
+	case RAW_KEYWORD:
+		return true;
+	case '(':
+		return place == NEXT_ANY;
+	case '<':
+	case '+':
+	case '-':
+	case '!':
+		return place != NEXT_AFTER_SUM;
+	default:
+		return false;
+	}
+}
+
+bool quick_sum(struct parser *p, enum quick_place place, struct number *n, span *where)
+{
+	struct quick q;
+	if (!begin(&q, p))
+		return false;
+	const size_t height = args_height(p);
+	const struct raw_token *first = q.at;
+	const bool ok = may_begin(&q, place) && read_sum(&q, n) && at_end_of_sum(&q);
+	/* One word may be more than its value: a colour, the place of a vector, an axis. */
+	const bool plain = ok && (n->terms == 1 || q.at - first > 1);
+	if (!finish(&q, plain, height))
+		return false;
+	*where = span_join(raw_span_at(p, first), raw_span_at(p, q.at - 1));
+	return true;
+}
+
+bool quick_variable(struct parser *p, struct value **slot)
+{
+	struct quick q;
+	const struct symbol *symbol;
+	if (!begin(&q, p))
+		return false;
+	const size_t height = args_height(p);
+	bool ok = next_kind(&q) == RAW_NAME && (*slot = read_variable(&q, &symbol)) &&
+		  (next_kind(&q) == ',' || next_kind(&q) == ')');
+	if (ok) {
+		const enum value_kind kind = (*slot)->kind;
+		ok = kind == VALUE_NUMBER || kind == VALUE_COLOUR || kind == VALUE_STRING ||
+		     kind == VALUE_ARRAY;
+	}
+	return finish(&q, ok, height);
+}
