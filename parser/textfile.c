@@ -348,10 +348,12 @@ static bool read_target(struct parser *p, struct value **slot, struct array **ar
 	const bool fits =
 		v->kind == VALUE_NONE || v->kind == VALUE_STRING ||
 		(v->kind == VALUE_NUMBER && (v->number.terms == 1 || v->number.terms == 3));
-	if (fits && !(*array && (*array)->kind == VALUE_NONE))
+	const bool open = *array && (*array)->kind == VALUE_NONE;
+	if (fits && !open)
 		return true;
-	parser_error(p, *where, "'%s' cannot be read into: it is no float, 3-vector or string",
-		symbol->text);
+	parser_error(p, *where, "'%s' cannot be read into: %s", symbol->text,
+		open ? "the array has no elements yet that show their type"
+		     : "it is no float, 3-vector or string");
 	return false;
 }
 
@@ -364,8 +366,10 @@ static bool read_into(struct parser *p, struct symbol *handle, struct value *slo
 	struct value v;
 	if (f->position == f->in->count)
 		return close_file(p, handle, where);
-	if (!read_datum(p, f, &v))
+	if (!read_datum(p, f, &v)) {
+		diag_note(p->diag, where, "it would be read into this");
 		return false;
+	}
 	if (array && !array_accepts(array, &v)) {
 		parser_error(p, where, "the datum does not have the type of the array's elements");
 		return false;
@@ -462,8 +466,14 @@ static bool starts_string(int token)
 	       token == KW_DATETIME;
 }
 
-static bool write_item(struct parser *p, FILE *out, int token, const struct format *format)
+static bool write_item(
+	struct parser *p, FILE *out, int token, const struct format *format, span where)
 {
+	if (token == T_COLOUR || (token >= KW_RGB && token <= KW_RGBT)) {
+		parser_error(p, where,
+			"a colour cannot be written: write its components, as <C.red, C.green>");
+		return false;
+	}
 	if (starts_string(token)) {
 		const char *text;
 		if (!parse_string(p, &text, false))
@@ -507,7 +517,7 @@ bool file_write(struct parser *p, span where)
 			parser_error(p, at, "the file was closed while it was being written");
 			return false;
 		}
-		if (!write_item(p, out, token, format))
+		if (!write_item(p, out, token, format, at))
 			return false;
 	}
 }

@@ -1,0 +1,3 @@
+// Too few arguments.
+#version 3.7;
+#declare A = sin();

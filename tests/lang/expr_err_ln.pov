@@ -1,0 +1,3 @@
+// ln of 0.
+#version 3.7;
+#declare A = ln(0);

@@ -1,0 +1,3 @@
+// max needs an argument.
+#version 3.7;
+#declare A = max();

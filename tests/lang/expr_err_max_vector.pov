@@ -1,0 +1,3 @@
+// max takes floats only.
+#version 3.7;
+#declare A = max(x, 1);

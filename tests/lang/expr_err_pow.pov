@@ -1,0 +1,3 @@
+// pow of two zeros.
+#version 3.7;
+#declare A = pow(0, 0);

@@ -1,0 +1,3 @@
+// select needs three values at least.
+#version 3.7;
+#declare A = select(1, 2);

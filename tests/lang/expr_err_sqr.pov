@@ -1,0 +1,3 @@
+// sqr is no float function.
+#version 3.7;
+#declare A = sqr(2);

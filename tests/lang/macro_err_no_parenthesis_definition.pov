@@ -1,0 +1,3 @@
+// The parentheses of a definition are mandatory.
+#version 3.7;
+#macro M #end

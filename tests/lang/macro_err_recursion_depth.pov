@@ -1,0 +1,4 @@
+// 98 nested calls are too many.
+#version 3.7;
+#macro M(N) #if (N > 1) M(N - 1) #else #debug "bottom\n" #end #end
+M(99)
