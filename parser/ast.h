@@ -18,6 +18,7 @@
 #define LAMBERT_PARSER_AST_H
 
 #include "base/diag.h"
+#include "base/spline.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -145,6 +146,7 @@ struct expr {
 	bool grouped;	   /* stood in parentheses */
 	enum keyword builtin;
 	const struct function *function;
+	uint32_t depth; /* levels of operands below: 0 for a constant */
 	uint32_t operand_count;
 	const struct expr *const *operands;
 };
@@ -159,20 +161,6 @@ struct function {
 	const struct node *node;
 	const struct spline *spline;
 };
-
-enum spline_type { SPLINE_LINEAR, SPLINE_QUADRATIC, SPLINE_CUBIC, SPLINE_NATURAL };
-
-struct spline {
-	enum spline_type type;
-	unsigned terms;
-	size_t count;
-	const double *keys; /* sorted */
-	const double (*values)[5];
-	const double (*curvature)[5]; /* second derivatives at the keys, if it is natural */
-};
-
-/* All components at `at`; those beyond `terms` are 0. */
-void spline_value(const struct spline *, double at, double result[5]);
 
 /* The whole scene. */
 struct ast {

@@ -6,7 +6,7 @@
  */
 #include "render/function/program.h"
 
-#include "parser/ast.h"
+#include "base/spline.h"
 #include "render/pattern.h"
 #include "render/texture.h"
 

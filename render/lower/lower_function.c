@@ -197,24 +197,33 @@ static double apply(enum expr_kind kind, double a, double b)
 
 static bool merged_constant(struct code *, const struct expr *, double *);
 
-/* The links of the chain that e is the last step of. Returns their number. */
+/* Whether e is attached to its left neighbour in a chain of that level. */
+static bool continues_chain(const struct expr *e, int level)
+{
+	return level_of(e->operands[0]->kind) == level && !e->operands[0]->grouped;
+}
+
+/* The links of the chain that e is the last step of. Returns their number. A chain hangs to the left
+ * and may be as long as the text, so it is followed without recursion and before anything else looks
+ * into it. */
 static size_t collect_chain(struct code *c, const struct expr *e, struct link *links)
 {
 	const int level = level_of(e->kind);
-	size_t count = 0;
-	const struct expr *left = e->operands[0];
-	if (level_of(left->kind) == level && !left->grouped) {
-		count = collect_chain(c, left, links);
-	} else {
-		links[0] = (struct link){ .operand = left };
-		count = 1;
-	}
-	if (count == CHAIN_MAX) {
+	size_t count = 2;
+	for (const struct expr *step = e; continues_chain(step, level); step = step->operands[0])
+		count++;
+	if (count > CHAIN_MAX) {
 		fail(c, e->span, "the function has too long a chain of operators");
-		return count;
+		links[0] = (struct link){ .operand = e->operands[1] };
+		return 1;
 	}
-	links[count] = (struct link){ .op = e->kind, .operand = e->operands[1] };
-	return count + 1;
+	for (size_t i = count - 1; i > 0; i--) {
+		links[i] = (struct link){ .op = e->kind, .operand = e->operands[1] };
+		if (i > 1)
+			e = e->operands[0];
+	}
+	links[0] = (struct link){ .operand = e->operands[0] };
+	return count;
 }
 
 /* Merges neighbouring constants, left to right, the way the reference does. A merged pair stays
@@ -638,7 +647,7 @@ static bool compile_kind(struct lowering *l, const struct function *f, struct pr
 		p->kind = PROGRAM_SPLINE;
 		p->parameters = 1;
 		p->components = f->spline->terms;
-		p->spline = f->spline;
+		p->spline = spline_copy(l->arena, f->spline);
 		return true;
 	}
 	return false;
