@@ -144,6 +144,9 @@ unsigned function_terms(const struct function *f)
 	}
 }
 
+/* Whoever walks an expression may do so by recursion: it is never deeper than this. */
+enum { EXPR_DEPTH_MAX = 4000 };
+
 /* -- Nodes -------------------------------------------------------------------------------- */
 
 static struct expr *make(struct parser *p, enum expr_kind kind, span where)
@@ -159,6 +162,11 @@ static void set_operands(
 {
 	e->operand_count = (uint32_t)count;
 	e->operands = arena_copy(p->arena, operands, count * sizeof *operands);
+	for (size_t i = 0; i < count; i++)
+		if (e->depth <= operands[i]->depth)
+			e->depth = operands[i]->depth + 1;
+	if (e->depth == EXPR_DEPTH_MAX + 1)
+		parser_error(p, e->span, "the expression has more than %d levels", EXPR_DEPTH_MAX);
 }
 
 const struct expr *expr_constant(struct parser *p, double value, span where)
