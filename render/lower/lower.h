@@ -45,6 +45,8 @@ bool lower_scene(const struct ast *, const struct lower_options *, struct diag *
 
 /* The number argument `index` of a node as a float, vector, colour; reports what is wrong. */
 double lower_float(struct lowering *, const struct node *, uint32_t index, const char *what);
+/* A float argument without its fraction, as near as an int can be; not a number counts as 0. */
+int lower_int(struct lowering *, const struct node *, uint32_t index, const char *what);
 vec3 lower_vector(struct lowering *, const struct node *, uint32_t index, const char *what);
 colour lower_colour(struct lowering *, const struct node *, uint32_t index);
 rgb lower_rgb(struct lowering *, const struct node *, uint32_t index, const char *what);

@@ -25,7 +25,7 @@ static int clamp_octaves(double octaves)
 
 static void fog_type(struct lowering *l, const struct node *item, struct fog *f)
 {
-	const int type = (int)lower_float(l, item, 0, "1 or 2");
+	const int type = lower_int(l, item, 0, "1 or 2");
 	if (type != 1 && type != 2)
 		diag_warning(
 			l->diag, item->span, "fog_type %d is unknown: constant fog is used", type);
@@ -223,7 +223,7 @@ static void interior_item(struct lowering *l, const struct node *item, struct dr
 			lower_unsupported(l, item, "dispersion");
 		break;
 	case K_DISPERSION_SAMPLES:
-		i->data.dispersion_samples = (int)lower_float(l, item, 0, "a number");
+		i->data.dispersion_samples = lower_int(l, item, 0, "a number");
 		break;
 	case K_REFRACTION:
 		break; /* obsolete, without effect */

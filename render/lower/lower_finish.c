@@ -53,7 +53,7 @@ static void read_roughness(struct lowering *l, struct finish *f, const struct no
 
 static void read_fresnel(struct lowering *l, struct finish *f, const struct node *item)
 {
-	const int on = item->arg_count > 0 ? (int)lower_float(l, item, 0, "a switch") : 1;
+	const int on = item->arg_count > 0 ? lower_int(l, item, 0, "a switch") : 1;
 	if (on != 0 && on != 1)
 		diag_error(l->diag, item->span, "fresnel is 0 or 1");
 	f->fresnel = on != 0;

@@ -36,10 +36,8 @@ static void read_area(struct lowering *l, const struct node *item, struct light 
 {
 	light->area_u = lower_vector(l, item, 0, "its first axis");
 	light->area_v = lower_vector(l, item, 1, "its second axis");
-	light->area_count_u =
-		(int)lower_float(l, item, 2, "the number of lights along the first axis");
-	light->area_count_v =
-		(int)lower_float(l, item, 3, "the number of lights along the second axis");
+	light->area_count_u = lower_int(l, item, 2, "the number of lights along the first axis");
+	light->area_count_v = lower_int(l, item, 3, "the number of lights along the second axis");
 	if (light->area_count_u < 1 || light->area_count_v < 1)
 		diag_error(
 			l->diag, item->span, "area_light: the number of lights must be at least 1");
@@ -65,7 +63,7 @@ static bool read_number(struct lowering *l, const struct node *item, struct ligh
 		light->fade_power = lower_float(l, item, 0, "a power");
 		return true;
 	case K_ADAPTIVE:
-		light->adaptive = (int)lower_float(l, item, 0, "a level");
+		light->adaptive = lower_int(l, item, 0, "a level");
 		return true;
 	default:
 		return false;

@@ -105,7 +105,7 @@ static void name_fractal(struct lowering *l, struct pattern_state *s, const stru
 {
 	struct fractal *f = own_self(l, s);
 	if (item->keyword == K_MAGNET) {
-		f->magnet = (int)lower_float(l, item, 0, "a type");
+		f->magnet = lower_int(l, item, 0, "a type");
 		if (f->magnet != 1 && f->magnet != 2) {
 			diag_error(l->diag, item->span, "magnet is of type 1 or 2");
 			f->magnet = 1;
@@ -139,7 +139,7 @@ static bool modify_fractal(struct lowering *l, struct pattern_state *s, const st
 	struct fractal *f = own_self(l, s);
 	switch (item->keyword) {
 	case K_EXPONENT:
-		f->exponent = (int)lower_float(l, item, 0, "a number");
+		f->exponent = lower_int(l, item, 0, "a number");
 		if (f->exponent < 2 || f->exponent > 33) {
 			diag_warning(l->diag, item->span,
 				"the exponent of a fractal is 2 to 33; 2 is used");

@@ -8,7 +8,7 @@ enum { TRACE_LEVEL_MAX = 256 };
 
 static void set_trace_level(struct lowering *l, const struct node *item)
 {
-	int level = (int)lower_float(l, item, 0, "a number");
+	int level = lower_int(l, item, 0, "a number");
 	if (level > TRACE_LEVEL_MAX) {
 		diag_warning(l->diag, item->span,
 			"max_trace_level %d is above the limit: %d is used", level,

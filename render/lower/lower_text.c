@@ -113,7 +113,7 @@ static const char *find_font(struct lowering *l, const struct arg *arg)
 
 static const char *internal_font(struct lowering *l, const struct node *n)
 {
-	const int number = (int)lower_float(l, n, 0, "a font number");
+	const int number = lower_int(l, n, 0, "a font number");
 	const char *name = number == 1	 ? "timrom.ttf"
 			   : number == 2 ? "cyrvetic.ttf"
 			   : number == 3 ? "crystal.ttf"

@@ -6,6 +6,8 @@
  */
 #include "render/lower/lower.h"
 
+#include <limits.h>
+
 static const struct number zero = { .terms = 1 };
 
 static const struct number *number_at(
@@ -25,6 +27,12 @@ double lower_float(struct lowering *l, const struct node *n, uint32_t index, con
 			"%s: %s must be a float, this is a vector of %d components",
 			keyword_name(n->keyword), what, v->terms);
 	return v->v[0];
+}
+
+int lower_int(struct lowering *l, const struct node *n, uint32_t index, const char *what)
+{
+	const double v = lower_float(l, n, index, what);
+	return v >= INT_MAX ? INT_MAX : v <= INT_MIN ? INT_MIN : v == v ? (int)v : 0;
 }
 
 vec3 lower_vector(struct lowering *l, const struct node *n, uint32_t index, const char *what)

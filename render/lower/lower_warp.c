@@ -77,7 +77,7 @@ static struct warp black_hole_warp(struct lowering *l, const struct node *kind)
 			w->inverse = true;
 			break;
 		case K_TYPE:
-			w->inert = (int)lower_float(l, item, 0, "a number") != 0;
+			w->inert = lower_int(l, item, 0, "a number") != 0;
 			break;
 		case K_REPEAT:
 			w->repeat = lower_vector(l, item, 0, "a vector");
