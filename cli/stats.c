@@ -63,7 +63,11 @@ bool stats_write(const struct stats *s, const char *path, bool append)
 		return false;
 	}
 	print_json(file, s);
-	return fclose(file) == 0;
+	if (fclose(file) == 0)
+		return true;
+	fprintf(stderr, "lambert: error: the statistics %s cannot be written: %s\n", path,
+		strerror(errno));
+	return false;
 }
 
 void stats_say(const struct stats *s, struct messages *m)
