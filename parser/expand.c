@@ -81,6 +81,11 @@ static bool leave_frame(struct parser *p)
 	return true;
 }
 
+bool has_read_ahead(const struct expand *x)
+{
+	return x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count;
+}
+
 /* -- Raw tokens --------------------------------------------------------------------------- */
 
 static uint32_t raw_length(const struct expand *x, const struct frame *f, struct raw_token raw)
@@ -394,6 +399,13 @@ static int keyword_value(struct parser *p, enum keyword keyword, struct token_va
 	}
 }
 
+/* Whether a name is that of a macro at the moment. */
+static bool is_macro(const struct expand *x, uint32_t name)
+{
+	const struct name *n = &x->names.list[name];
+	return !n->hidden && n->binding && n->binding->slot->kind == VALUE_MACRO;
+}
+
 /* A name; -1: it was a macro, go on. `name` is at the present position. */
 static int name_fetch(struct parser *p, uint32_t name, struct token_value *v, span *where)
 {
@@ -510,17 +522,27 @@ static int fetch(struct parser *p, struct token_value *v, span *where)
 	return token;
 }
 
+bool expand_settle(struct parser *p)
+{
+	struct expand *x = p->expand;
+	struct token_value v = { .keyword = K_NONE };
+	span where;
+	for (bool any = false;; any = true) {
+		const struct raw_token *raw =
+			has_read_ahead(x) || gate_holds(x->gate) ? NULL : raw_peek(p);
+		if (!raw || has_read_ahead(x) ||
+			(raw->kind != RAW_DIRECTIVE &&
+				(raw->kind != RAW_NAME || !is_macro(x, raw->payload))))
+			return any;
+		fetch(p, &v, &where);
+	}
+}
+
 /* Words of directives that work without '#' between the statements of a scene. */
 static bool is_bare_directive(const struct expand *x, enum keyword keyword)
 {
 	return (keyword == K_DECLARE || keyword == K_INCLUDE || keyword == K_DEFAULT) &&
 	       x->gate == &x->scene_gate && x->gate->depth == 0;
-}
-
-/* Whether a token handed back comes before the raw ones. */
-bool has_read_ahead(const struct expand *x)
-{
-	return x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count;
 }
 
 /* Takes back the token handed back last, unless it belongs behind the text being read now. */
@@ -653,9 +675,9 @@ static enum looked look(struct parser *p, int token)
 {
 	static const struct token_value none = { .keyword = K_NONE };
 	struct expand *x = p->expand;
-	struct frame *f = top_frame(x);
-	if (p->failed || f->position == f->end || has_read_ahead(x))
+	if (has_read_ahead(x) || !raw_peek(p) || has_read_ahead(x))
 		return LOOKED_UNSURE;
+	struct frame *f = top_frame(x);
 	const struct raw_token raw = f->tokens[f->position];
 	switch (raw.kind) {
 	case RAW_DIRECTIVE:
@@ -663,11 +685,11 @@ static enum looked look(struct parser *p, int token)
 				       !passes_gate(x, &f->source->directives[raw.payload])
 			       ? LOOKED_NO
 			       : LOOKED_UNSURE;
-	case RAW_KEYWORD:
 	case RAW_NAME:
-	case RAW_STRING:
-	case RAW_ERROR:
-		return LOOKED_UNSURE;
+		return is_macro(x, raw.payload) && !gate_holds(x->gate) ? LOOKED_UNSURE
+									 : LOOKED_NO;
+	case RAW_KEYWORD:
+		return x->gate == &x->scene_gate ? LOOKED_UNSURE : LOOKED_NO;
 	default:
 		break;
 	}

@@ -129,6 +129,9 @@ void gate_close(struct parser *);
 
 /* Whether a token that was handed back comes before the raw ones. */
 bool has_read_ahead(const struct expand *);
+/* Runs the directives and macro calls before the next token, as fetching it would; false if there are
+ * none. */
+bool expand_settle(struct parser *);
 /* The next raw token as it stands, behind the ends of macros; NULL at the end of a file. */
 const struct raw_token *raw_peek(struct parser *);
 /* Steps over it; `span` of it. */

@@ -100,8 +100,6 @@ static bool is_reference(const struct parser *p, const struct gate *g)
 static bool read_argument(struct parser *p, struct argument *a)
 {
 	struct gate gate;
-	if (quick_variable(p, &a->slot))
-		return true;
 	gate_open(p, &gate, true);
 	const bool ok = parse_declared(p, &a->value) && !p->failed;
 	if (ok && is_reference(p, &gate))
@@ -110,6 +108,12 @@ static bool read_argument(struct parser *p, struct argument *a)
 		a->value = value_copy(p->arena, &a->value);
 	gate_close(p);
 	return ok;
+}
+
+/* The commonest arguments. */
+static bool read_plain_argument(struct parser *p, struct argument *a)
+{
+	return quick_variable(p, &a->slot) || quick_value(p, &a->value);
 }
 
 static bool report_count(
@@ -131,6 +135,10 @@ static bool read_arguments(struct parser *p, const struct macro *m, struct argum
 	for (unsigned i = 0; i < m->parameter_count; i++) {
 		struct token_value v;
 		span where;
+		if (read_plain_argument(p, &arguments[i])) {
+			accept(p, ',');
+			continue;
+		}
 		const int token = expand_next(p, &v, &where);
 		if (p->failed)
 			return false;
@@ -141,11 +149,13 @@ static bool read_arguments(struct parser *p, const struct macro *m, struct argum
 			return false;
 		accept(p, ',');
 	}
+	if (accept(p, ')'))
+		return true;
 	struct token_value v;
 	span where;
 	const int token = expand_next(p, &v, &where);
-	if (p->failed || token == ')')
-		return !p->failed;
+	if (p->failed)
+		return false;
 	report_count(p, m, where, "found more than", m->parameter_count);
 	note_comparison(p, token, where);
 	return false;

@@ -59,6 +59,7 @@ bool parse_float(struct parser *p, double *value)
 {
 	struct run run;
 	return quick_float(p, QUICK_SUM, value) ||
+	       (expand_settle(p) && quick_float(p, QUICK_SUM, value)) ||
 	       (start_run(p, &run, T_START_FLOAT) && to_float(p, &run, value));
 }
 
@@ -66,13 +67,14 @@ bool parse_condition(struct parser *p, double *value)
 {
 	struct run run;
 	return quick_float(p, QUICK_FULL, value) ||
+	       (expand_settle(p) && quick_float(p, QUICK_FULL, value)) ||
 	       (start_run(p, &run, T_START_CONDITION) && to_float(p, &run, value));
 }
 
 bool parse_number_any(struct parser *p, struct number *value)
 {
 	struct run run;
-	if (quick_number(p, value))
+	if (quick_number(p, value) || (expand_settle(p) && quick_number(p, value)))
 		return true;
 	if (!start_run(p, &run, T_START_NUMBER))
 		return false;
@@ -92,11 +94,8 @@ bool parse_string(struct parser *p, const char **text, bool file_name)
 bool parse_declared(struct parser *p, struct value *value)
 {
 	struct run run;
-	struct number number;
-	if (quick_number(p, &number)) {
-		*value = value_number(number);
+	if (quick_value(p, value) || (expand_settle(p) && quick_value(p, value)))
 		return true;
-	}
 	if (!start_run(p, &run, T_START_DECLARED))
 		return false;
 	*value = run.value;

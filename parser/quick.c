@@ -469,10 +469,27 @@ static bool finish(struct quick *q, bool good, size_t height)
 	return true;
 }
 
+/* The raw token behind the attempt, also if that reaches to the end of a macro; NO_KIND: none. */
+static unsigned kind_behind(const struct quick *q)
+{
+	const struct expand *x = q->p->expand;
+	const struct frame *f = q->frame;
+	if (q->at < q->end)
+		return q->at->kind;
+	if (x->unread_count) /* could belong in between */
+		return NO_KIND;
+	while (f->is_macro) {
+		f--;
+		if (f->position < f->end)
+			return f->tokens[f->position].kind;
+	}
+	return NO_KIND;
+}
+
 /* A closing bracket, comma or semicolon ends any expression. */
 static bool at_close(const struct quick *q)
 {
-	const unsigned kind = next_kind(q);
+	const unsigned kind = kind_behind(q);
 	return kind == ',' || kind == ')' || kind == ';' || kind == ']';
 }
 
@@ -486,6 +503,15 @@ bool quick_number(struct parser *p, struct number *n)
 	if (!finish(&q, ok, height))
 		return false;
 	*n = number_plain(*n);
+	return true;
+}
+
+bool quick_value(struct parser *p, struct value *value)
+{
+	struct number n;
+	if (!quick_number(p, &n))
+		return false;
+	*value = value_number(n);
 	return true;
 }
 
@@ -568,12 +594,12 @@ bool quick_variable(struct parser *p, struct value **slot)
 	if (!begin(&q, p))
 		return false;
 	const size_t height = args_height(p);
-	bool ok = next_kind(&q) == RAW_NAME && (*slot = read_variable(&q, &symbol)) &&
-		  (next_kind(&q) == ',' || next_kind(&q) == ')');
-	if (ok) {
-		const enum value_kind kind = (*slot)->kind;
-		ok = kind == VALUE_NUMBER || kind == VALUE_COLOUR || kind == VALUE_STRING ||
-		     kind == VALUE_ARRAY;
-	}
-	return finish(&q, ok, height);
+	struct value *found = next_kind(&q) == RAW_NAME ? read_variable(&q, &symbol) : NULL;
+	const enum value_kind kind = found ? found->kind : VALUE_NONE;
+	const bool plain = kind == VALUE_NUMBER || kind == VALUE_COLOUR || kind == VALUE_STRING ||
+			   kind == VALUE_ARRAY;
+	if (!finish(&q, plain && at_close(&q), height))
+		return false;
+	*slot = found;
+	return true;
 }

@@ -24,6 +24,7 @@ enum quick_place {
 
 /* A sum before a comma, a semicolon or a closing bracket, which stays. */
 bool quick_number(struct parser *, struct number *);
+bool quick_value(struct parser *, struct value *);
 /* The same, but it must be a float. */
 bool quick_float(struct parser *, enum quick_level, double *);
 /* A sum within brackets, and where it stands; not a word alone that stands
