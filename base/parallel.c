@@ -9,6 +9,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 /* Enough stack for deep ray trees whatever the system's default is. */
@@ -75,4 +76,31 @@ void parallel_for(size_t count, unsigned threads, void (*job)(void *, size_t, un
 	for (unsigned i = 1; i < started; i++)
 		pthread_join(helpers[i].id, NULL);
 	free(helpers);
+}
+
+struct deep_job {
+	void (*job)(void *);
+	void *user;
+};
+
+static void *deep_main(void *argument)
+{
+	const struct deep_job *d = argument;
+	d->job(d->user);
+	return NULL;
+}
+
+void parallel_with_stack(size_t bytes, void (*job)(void *), void *user)
+{
+	struct deep_job d = { job, user };
+	pthread_t id;
+	pthread_attr_t attributes;
+	pthread_attr_init(&attributes);
+	pthread_attr_setstacksize(&attributes, bytes);
+	const bool started = pthread_create(&id, &attributes, deep_main, &d) == 0;
+	pthread_attr_destroy(&attributes);
+	if (started)
+		pthread_join(id, NULL);
+	else
+		job(user);
 }

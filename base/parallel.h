@@ -17,4 +17,7 @@ unsigned parallel_processors(void);
 void parallel_for(size_t count, unsigned threads,
 	void (*job)(void *user, size_t index, unsigned thread), void *user);
 
+/* Runs job(user) with `bytes` of stack, of which only what is used takes memory. */
+void parallel_with_stack(size_t bytes, void (*job)(void *user), void *user);
+
 #endif

@@ -173,7 +173,18 @@ static struct scene *load(const char *path, const struct lambert_scene_options *
 	return scene;
 }
 
-lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
+/* A scene may nest as deep as the parser allows, and what reads it recurses as deep. */
+#define DEEP_STACK ((size_t)512 << 20)
+
+struct load_job {
+	const char *path;
+	const struct lambert_scene_options *options;
+	lambert_scene *result;
+	FILE *out;
+	bool fine;
+};
+
+static lambert_scene *load_scene(const char *path, const struct lambert_scene_options *o)
 {
 	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)o);
 	struct arena *arena = arena_create(1 << 20);
@@ -189,6 +200,19 @@ lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_o
 	return handle;
 }
 
+static void load_main(void *user)
+{
+	struct load_job *job = user;
+	job->result = load_scene(job->path, job->options);
+}
+
+lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
+{
+	struct load_job job = { .path = path, .options = o };
+	parallel_with_stack(DEEP_STACK, load_main, &job);
+	return job.result;
+}
+
 void lambert_scene_destroy(lambert_scene *s)
 {
 	if (!s)
@@ -197,7 +221,7 @@ void lambert_scene_destroy(lambert_scene *s)
 	free(s);
 }
 
-bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
+static bool print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
 {
 	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)o);
 	struct arena *arena = arena_create(1 << 20);
@@ -208,6 +232,19 @@ bool lambert_scene_print_ast(const char *path, const struct lambert_scene_option
 	arena_destroy(arena);
 	diag_destroy(diag);
 	return ast != NULL;
+}
+
+static void print_main(void *user)
+{
+	struct load_job *job = user;
+	job->fine = print_ast(job->path, job->options, job->out);
+}
+
+bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
+{
+	struct load_job job = { .path = path, .options = o, .out = out };
+	parallel_with_stack(DEEP_STACK, print_main, &job);
+	return job.fine;
 }
 
 void lambert_scene_statistics(const lambert_scene *s, struct lambert_scene_stats *stats)

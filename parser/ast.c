@@ -71,7 +71,7 @@ size_t args_push_array(
 
 struct node *node_new(struct parser *p, enum keyword keyword, span whole, span word)
 {
-	struct node *node = ARENA_NEW(p->arena, struct node);
+	struct node *node = arena_pack(p->arena, sizeof *node);
 	node->keyword = keyword;
 	node->span = whole;
 	node->word = word;
@@ -85,7 +85,8 @@ struct node *node_args(struct parser *p, enum keyword keyword, span whole, span 
 	struct node *node = node_new(p, keyword, whole, word);
 	const size_t count = g->arg_count - start;
 	if (count) {
-		node->args = arena_copy(p->arena, g->args + start, count * sizeof *g->args);
+		struct arg *args = arena_pack(p->arena, count * sizeof *args);
+		node->args = memcpy(args, g->args + start, count * sizeof *args);
 		node->arg_count = (uint32_t)count;
 	}
 	g->arg_count = start;
@@ -118,8 +119,20 @@ struct node *node_block(
 	return node;
 }
 
+static void count_levels(struct parser *p, const struct node *declared, span where)
+{
+	const uintptr_t levels =
+		1 + (uintptr_t)pointer_map_find(&p->reference_levels, declared);
+	if (levels > REFERENCE_LEVELS)
+		parser_error(p, where,
+			"declared values use each other more than %d levels deep", REFERENCE_LEVELS);
+	if (levels > p->levels_read)
+		p->levels_read = levels;
+}
+
 struct node *node_reference(struct parser *p, struct reference reference, span where)
 {
+	count_levels(p, reference.node, where);
 	struct node *node = node_new(p, K_REFERENCE, where, where);
 	node->ref = reference.node;
 	node->name = reference.name;

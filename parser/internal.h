@@ -13,12 +13,14 @@
 
 #include "base/arena.h"
 #include "base/diag.h"
+#include "base/pointer_map.h"
 #include "parser/ast.h"
 #include "parser/parser.h"
 #include "parser/token.h"
 #include "parser/value.h"
 
 enum {
+	REFERENCE_LEVELS = 4000, /* of declared values that use declared values */
 	NESTED_PARSES = 300, /* active at once; more is an error (checked where parses begin) */
 };
 
@@ -43,6 +45,11 @@ struct parser {
 
 	/* An error was reported: expand_next returns 0 from now on, nested parsers unwind. */
 	bool failed;
+
+	/* Levels of references below declared nodes (none: 0), and in the value being read: what
+	 * follows references later recurses as deep. */
+	struct pointer_map reference_levels;
+	uintptr_t levels_read;
 
 	/* Random streams: seed() appends a state, rand() advances one. memory_grow'n, freed at
 	 * the end of the parse. */

@@ -191,5 +191,6 @@ const struct ast *parse_scene(const char *path, const char *text, size_t size,
 	const struct ast *ast = parse(&p, path, text, size);
 	expand_destroy(p.expand);
 	free(p.seeds);
+	pointer_map_release(&p.reference_levels);
 	return ast;
 }
