@@ -12,7 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEFAULT_BLOCK = 64 * 1024, BIG_ALIGNMENT = 64, SMALL_ALIGNMENT = 16 };
+enum {
+	DEFAULT_BLOCK = 64 * 1024,
+	BIG_ALIGNMENT = 64,
+	SMALL_ALIGNMENT = 16,
+	PACKED_ALIGNMENT = 8,
+};
 
 struct block {
 	struct block *next;
@@ -108,9 +113,8 @@ void arena_reset(struct arena *a)
 	a->blocks->used = 0;
 }
 
-void *arena_alloc(struct arena *a, size_t size)
+static void *take(struct arena *a, size_t size, size_t alignment)
 {
-	const size_t alignment = size >= BIG_ALIGNMENT ? BIG_ALIGNMENT : SMALL_ALIGNMENT;
 	struct block *b = a->blocks;
 	size_t start = b ? (b->used + alignment - 1) & ~(alignment - 1) : 0;
 
@@ -130,6 +134,16 @@ void *arena_alloc(struct arena *a, size_t size)
 	b->used = start + size;
 	a->handed_out += size;
 	return memset((char *)(b + 1) + start, 0, size);
+}
+
+void *arena_alloc(struct arena *a, size_t size)
+{
+	return take(a, size, size >= BIG_ALIGNMENT ? BIG_ALIGNMENT : SMALL_ALIGNMENT);
+}
+
+void *arena_pack(struct arena *a, size_t size)
+{
+	return take(a, size, PACKED_ALIGNMENT);
 }
 
 void *arena_array(struct arena *a, size_t count, size_t size)

@@ -23,6 +23,8 @@ void arena_reset(struct arena *);
 
 /* Zeroed memory, aligned to 64 bytes when size >= 64, else to 16. */
 void *arena_alloc(struct arena *, size_t size);
+/* Zeroed memory, aligned to 8 bytes only: for the many small parts of a large tree. */
+void *arena_pack(struct arena *, size_t size);
 /* Zeroed memory for `count` elements of `size` bytes. */
 void *arena_array(struct arena *, size_t count, size_t size);
 /* A copy of `size` bytes. */

@@ -93,6 +93,7 @@ struct defaults {
 
 struct node {
 	enum keyword keyword;
+	uint32_t arg_count;
 	span span;			    /* of the whole statement */
 	span word;			    /* of its keyword */
 	const struct language_state *state; /* when the statement began */
@@ -101,7 +102,6 @@ struct node {
 	const struct node *ref;		    /* K_REFERENCE */
 	const char *name;		    /* K_REFERENCE: the identifier */
 	const struct arg *args;
-	uint32_t arg_count;
 };
 
 /* A user-defined function, as written; render compiles it. */
