@@ -47,14 +47,10 @@ static uint32_t grown(uint32_t room, uint32_t least)
 	return room < least ? least : room > UINT32_MAX / 2 ? UINT32_MAX : 2 * room;
 }
 
-void source_push(struct source *s, unsigned kind, uint32_t offset, uint32_t payload)
+void source_grow(struct source *s)
 {
-	if (s->count == s->room) {
-		s->room = grown(s->room, 256);
-		s->tokens = memory_grow(s->tokens, s->room, sizeof *s->tokens);
-	}
-	s->tokens[s->count++] =
-		(struct raw_token){ offset, kind & 0xFF, payload & RAW_PAYLOAD_MAX };
+	s->room = grown(s->room, 256);
+	s->tokens = memory_grow(s->tokens, s->room, sizeof *s->tokens);
 }
 
 void source_push_number(struct source *s, uint32_t offset, double value)

@@ -80,7 +80,14 @@ double number_at(const char *text, size_t *length);
 
 /* Fills in the tokens (lexer.l). */
 void lex_source(struct source *, struct names *, struct arena *);
-void source_push(struct source *, unsigned kind, uint32_t offset, uint32_t payload);
+void source_grow(struct source *);
+static inline void source_push(struct source *s, unsigned kind, uint32_t offset, uint32_t payload)
+{
+	if (s->count == s->room)
+		source_grow(s);
+	s->tokens[s->count++] =
+		(struct raw_token){ offset, kind & 0xFF, payload & RAW_PAYLOAD_MAX };
+}
 void source_push_number(struct source *, uint32_t offset, double value);
 void source_push_directive(struct source *, enum keyword, uint32_t offset, uint32_t length);
 /* Links the parts of all blocks, once the text is lexed. */
