@@ -212,6 +212,9 @@ struct doubles *doubles_new(struct parser *, double expected, unsigned stride);
 void doubles_add(struct parser *, struct doubles *, struct number, span);
 /* A face of a mesh2 (a vector) or a texture index behind it (one term). */
 void doubles_face(struct parser *, struct doubles *, struct number, span);
+/* Reads the plain vectors that follow. */
+void doubles_add_rows(struct parser *, struct doubles *);
+void doubles_face_rows(struct parser *, struct doubles *);
 struct node *mesh2_list(struct parser *, enum keyword, span whole, span word, double declared,
 	span count_span, const struct doubles *, unsigned stride);
 struct node *mesh2_node(struct parser *, struct node_list, span whole, span word);

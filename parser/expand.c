@@ -179,11 +179,16 @@ const struct raw_token *raw_peek(struct parser *p)
 	return NULL;
 }
 
+static void raw_step(struct parser *p)
+{
+	top_frame(p->expand)->position++;
+	p->expand->work++;
+}
+
 span raw_take(struct parser *p)
 {
 	const span where = raw_span(p);
-	top_frame(p->expand)->position++;
-	p->expand->work++;
+	raw_step(p);
 	return where;
 }
 
@@ -192,7 +197,7 @@ bool raw_accept(struct parser *p, unsigned kind)
 	const struct raw_token *raw = raw_peek(p);
 	if (!raw || raw->kind != kind)
 		return false;
-	raw_take(p);
+	raw_step(p);
 	return true;
 }
 
@@ -201,7 +206,7 @@ bool raw_accept_keyword(struct parser *p, enum keyword keyword)
 	const struct raw_token *raw = raw_peek(p);
 	if (!raw || raw->kind != RAW_KEYWORD || raw->payload != (uint32_t)keyword)
 		return false;
-	raw_take(p);
+	raw_step(p);
 	return true;
 }
 
@@ -418,10 +423,10 @@ static int name_fetch(struct parser *p, uint32_t name, struct token_value *v, sp
 			v->symbol = symbol;
 			return T_MACRO; /* not taken: it is there again when the gate is live */
 		}
-		raw_take(p);
+		raw_step(p);
 		return macro_call(p, symbol, *where) ? -1 : 0;
 	}
-	raw_take(p);
+	raw_step(p);
 	if (!symbol)
 		return T_UNDECLARED;
 	return identifier_token(p, name, where, v);
@@ -459,21 +464,19 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 	*where = raw_span_of(x, f, raw);
 	switch (raw.kind) {
 	case RAW_INTEGER:
-		f->position++;
-		x->work++;
+		raw_step(p);
 		return number_token(v, raw.payload);
 	case RAW_NUMBER:
-		f->position++;
-		x->work++;
+		raw_step(p);
 		return number_token(v, f->source->numbers[raw.payload]);
 	case RAW_NUMBER_TEXT: {
 		size_t length;
-		raw_take(p);
+		raw_step(p);
 		return number_token(v, number_at(f->source->bytes + raw.offset, &length));
 	}
 	case RAW_STRING: {
 		const char *text = f->source->bytes + raw.offset + 1;
-		raw_take(p);
+		raw_step(p);
 		v->raw = string_literal(p, text, raw.payload, *where, false);
 		v->string = memchr(text, '\\', raw.payload)
 				    ? string_literal(p, text, raw.payload, *where, true)
@@ -481,7 +484,7 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 		return v->string ? T_STRING : 0;
 	}
 	case RAW_KEYWORD:
-		raw_take(p);
+		raw_step(p);
 		return keyword_value(p, (enum keyword)raw.payload, v);
 	case RAW_NAME:
 		return name_fetch(p, raw.payload, v, where);
@@ -490,19 +493,19 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 			return T_HASH; /* not taken either */
 		return directive_run(p) ? -1 : 0;
 	case RAW_LE:
-		raw_take(p);
+		raw_step(p);
 		return T_LE;
 	case RAW_GE:
-		raw_take(p);
+		raw_step(p);
 		return T_GE;
 	case RAW_NE:
-		raw_take(p);
+		raw_step(p);
 		return T_NE;
 	case RAW_ERROR:
 		report_lexical(p, f);
 		return 0;
 	default:
-		raw_take(p);
+		raw_step(p);
 		return (int)raw.kind;
 	}
 }
@@ -597,6 +600,30 @@ static bool plain_component(const struct frame *f, uint32_t *at, double *value)
 		return false;
 	if (negative)
 		*value = -*value;
+	return true;
+}
+
+bool expand_plain_row(struct parser *p, unsigned terms, double *v)
+{
+	struct expand *x = p->expand;
+	struct frame *f = top_frame(x);
+	uint32_t at = f->position;
+	if (at == f->end || f->tokens[at++].kind != '<' || has_read_ahead(x))
+		return false;
+	for (unsigned i = 0; i < terms; i++) {
+		if (!plain_component(f, &at, &v[i]) || at == f->end ||
+			f->tokens[at++].kind != (i + 1 < terms ? ',' : '>'))
+			return false;
+	}
+	if (at == f->end)
+		return false;
+	const unsigned next = f->tokens[at].kind;
+	if (next != ',' && next != '<' && next != '}' && next != RAW_INTEGER)
+		return false;
+	at += next == ',';
+	x->work += at - f->position;
+	p->token_count += at - f->position;
+	f->position = at;
 	return true;
 }
 

@@ -76,6 +76,13 @@
 		YYACCEPT;                         \
 	} while (0)
 
+/* Takes what follows past the grammar, which must not have read ahead. */
+#define MORE(function, list)                       \
+	do {                                       \
+		if (yychar == GRAMMAR_EMPTY)       \
+			function(p, list);         \
+	} while (0)
+
 int grammar_lex(GRAMMAR_STYPE *, span *, struct parser *, struct run *);
 void grammar_error(const span *, struct parser *, struct run *, const char *);
 }
@@ -1336,16 +1343,16 @@ mesh2_items:
 	;
 mesh2_item:
 	  mesh2_word '{' float oc
-		{ $<doubles>$ = doubles_new(p, $3, 3); } vector_list '}'
+		{ $<doubles>$ = doubles_new(p, $3, 3); MORE(doubles_add_rows, $<doubles>$); } vector_list '}'
 		{ $$ = mesh2_list(p, $1, @$, @1, $3, @3, $6, 3); }
 	| KW_UV_VECTORS '{' float oc
-		{ $<doubles>$ = doubles_new(p, $3, 2); } vector_list '}'
+		{ $<doubles>$ = doubles_new(p, $3, 2); MORE(doubles_add_rows, $<doubles>$); } vector_list '}'
 		{ $$ = mesh2_list(p, $1, @$, @1, $3, @3, $6, 2); }
 	| index_word '{' float oc
-		{ $<doubles>$ = doubles_new(p, $3, 3); } vector_list '}'
+		{ $<doubles>$ = doubles_new(p, $3, 3); MORE(doubles_add_rows, $<doubles>$); } vector_list '}'
 		{ $$ = mesh2_list(p, $1, @$, @1, $3, @3, $6, 3); }
 	| KW_FACE_INDICES '{' float oc
-		{ $<doubles>$ = doubles_new(p, $3, 3); } face_list '}'
+		{ $<doubles>$ = doubles_new(p, $3, 3); MORE(doubles_face_rows, $<doubles>$); } face_list '}'
 		{ $$ = mesh2_list(p, $1, @$, @1, $3, @3, $6, 3); }
 	| KW_TEXTURE_LIST '{' float oc texture_items '}'
 		{ $$ = node_number(p, $1, @$, @1, number_float($3), @3); $$->children = $5.first; }
@@ -1363,7 +1370,7 @@ vector_list:
 	  %empty { $$ = $<doubles>0; }
 	| vector_list sum %prec ENDS { doubles_add(p, $1, $2, @2); $$ = $1; }
 	| vector_list sum ',' { doubles_add(p, $1, $2, @2); $$ = $1; }
-	| vector_list T_SUM ',' { doubles_add(p, $1, $2, @2); $$ = $1; }
+	| vector_list T_SUM ',' { doubles_add(p, $1, $2, @2); MORE(doubles_add_rows, $1); $$ = $1; }
 	| vector_list T_VECTOR ',' { doubles_add(p, $1, $2.number, @2); $$ = $1; }
 	;
 /* Faces and the texture indices behind them; one term is a texture index. */
@@ -1371,7 +1378,7 @@ face_list:
 	  %empty { $$ = $<doubles>0; }
 	| face_list sum %prec ENDS { doubles_face(p, $1, $2, @2); $$ = $1; }
 	| face_list sum ',' { doubles_face(p, $1, $2, @2); $$ = $1; }
-	| face_list T_SUM ',' { doubles_face(p, $1, $2, @2); $$ = $1; }
+	| face_list T_SUM ',' { doubles_face(p, $1, $2, @2); MORE(doubles_face_rows, $1); $$ = $1; }
 	| face_list T_VECTOR ',' { doubles_face(p, $1, $2.number, @2); $$ = $1; }
 	;
 

@@ -84,6 +84,28 @@ void doubles_face(struct parser *p, struct doubles *d, struct number number, spa
 	d->extra[d->count - 3 + d->textures++] = number.v[0];
 }
 
+/* As many plain vectors as follow each other: the bulk of a large mesh. */
+void doubles_add_rows(struct parser *p, struct doubles *d)
+{
+	for (;;) {
+		reserve(p, d, d->stride);
+		if (!expand_plain_row(p, d->stride, d->values + d->count))
+			return;
+		d->count += d->stride;
+	}
+}
+
+void doubles_face_rows(struct parser *p, struct doubles *d)
+{
+	const size_t before = d->count;
+	doubles_add_rows(p, d);
+	if (d->count == before)
+		return;
+	if (d->extra)
+		no_textures(d, before);
+	d->textures = 0;
+}
+
 /* -- mesh --------------------------------------------------------------------------------- */
 
 struct mesh_items *mesh_items_new(struct parser *p)

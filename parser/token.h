@@ -59,6 +59,9 @@ void expand_unread(struct parser *, int token, const struct token_value *, span)
 /* Behind a '<': reads `1, -2, 3 >` if nothing but numbers, signs and commas stands there, and says
  * where the '>' is. Only a short cut. */
 bool expand_plain_vector(struct parser *, struct number *, span *last);
+/* Reads `<1, -2, 3>` and a comma behind it if just that stands there, with as many terms as said.
+ * Between the vectors of a list only. */
+bool expand_plain_row(struct parser *, unsigned terms, double *);
 /* Registers / finds / assigns identifiers for actions that need it (trace's fourth argument). */
 void symbol_assign(struct parser *, struct symbol *, const struct value *);
 /* What a symbol holds and is called. A declared-but-empty one holds VALUE_NONE. */
