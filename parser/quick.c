@@ -299,9 +299,9 @@ static bool read_signed(struct quick *q, struct number *n)
 	q->depth++;
 	const bool ok = read_signed(q, n);
 	q->depth--;
-	if (sign == '-')
+	if (ok && sign == '-')
 		*n = number_negate(*n);
-	else if (sign == '!')
+	else if (ok && sign == '!')
 		*n = number_not(*n);
 	return ok;
 }
