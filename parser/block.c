@@ -7,11 +7,6 @@
  */
 #include "parser/expand.h"
 
-static struct frame *top_frame(struct expand *x)
-{
-	return &x->frames[x->frame_count - 1];
-}
-
 struct block *block_push(
 	struct parser *p, enum block_kind kind, const struct directive *d, span where)
 {

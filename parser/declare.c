@@ -16,13 +16,19 @@ struct target {
 	span where;
 };
 
-static void read_deprecation(struct parser *p, struct symbol *mark)
+/* The `deprecated once "text"` before a name. */
+struct mark {
+	bool deprecated, once;
+	const char *text;
+};
+
+static void read_deprecation(struct parser *p, struct mark *mark)
 {
 	if (!raw_accept_keyword(p, K_DEPRECATED))
 		return;
 	mark->deprecated = true;
-	mark->deprecated_once = raw_accept_keyword(p, K_ONCE);
-	mark->deprecation = raw_string(p, true);
+	mark->once = raw_accept_keyword(p, K_ONCE);
+	mark->text = raw_string(p, true);
 }
 
 /* Goes down to an element. A #local cannot reach an element of an array of an outer table, unless
@@ -154,15 +160,15 @@ static bool read_value(struct parser *p, struct target *t, span where)
 
 bool declare_run(struct parser *p, bool local, span where)
 {
-	struct symbol mark = { 0 };
+	struct mark mark = { 0 };
 	struct target t = { 0 };
 	read_deprecation(p, &mark);
 	if (!find_target(p, local, &t))
 		return false;
 	if (t.is_new && mark.deprecated) {
 		t.symbol->deprecated = true;
-		t.symbol->deprecated_once = mark.deprecated_once;
-		t.symbol->deprecation = mark.deprecation;
+		t.symbol->deprecated_once = mark.once;
+		t.symbol->deprecation = mark.text;
 	}
 	if (!raw_accept(p, '=')) {
 		parser_error(p, raw_span(p), "expected '=' behind '%s', found %s", t.symbol->text,

@@ -123,8 +123,11 @@ bool directive_run(struct parser *p)
 	struct expand *x = p->expand;
 	const struct frame *f = &x->frames[x->frame_count - 1];
 	/* The lexer's array of directives is complete and does not move any more. */
-	const struct directive *d = &f->source->directives[f->tokens[f->position].payload];
-	return run_gated(p, d->keyword, d, raw_take(p));
+	const struct raw_token *raw = &f->tokens[f->position];
+	const struct directive *d = &f->source->directives[raw->payload];
+	raw_step(p);
+	return run_gated(
+		p, d->keyword, d, (span){ f->source->number, raw->offset, d->length, f->site });
 }
 
 bool directive_bare(struct parser *p, enum keyword keyword, span where)

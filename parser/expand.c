@@ -15,11 +15,6 @@
 
 /* -- Frames ------------------------------------------------------------------------------- */
 
-static struct frame *top_frame(struct expand *x)
-{
-	return &x->frames[x->frame_count - 1];
-}
-
 bool expand_push_file(struct parser *p, struct source *source, span call)
 {
 	struct expand *x = p->expand;
@@ -79,11 +74,6 @@ static bool leave_frame(struct parser *p)
 	symbols_pop(&x->symbols);
 	x->frame_count--;
 	return true;
-}
-
-bool has_read_ahead(const struct expand *x)
-{
-	return x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count;
 }
 
 /* -- Raw tokens --------------------------------------------------------------------------- */
@@ -161,7 +151,7 @@ static void report_lexical(struct parser *p, const struct frame *f)
 			s->error_note);
 }
 
-const struct raw_token *raw_peek(struct parser *p)
+const struct raw_token *raw_peek_at_end(struct parser *p)
 {
 	struct expand *x = p->expand;
 	if (p->failed)
@@ -177,12 +167,6 @@ const struct raw_token *raw_peek(struct parser *p)
 		return raw;
 	report_lexical(p, f);
 	return NULL;
-}
-
-static void raw_step(struct parser *p)
-{
-	top_frame(p->expand)->position++;
-	p->expand->work++;
 }
 
 span raw_take(struct parser *p)
@@ -231,8 +215,11 @@ bool raw_name(struct parser *p, const char *what, uint32_t *name, span *where)
 		parser_error(p, raw_span(p), "expected %s, found %s", what, raw_describe(p, raw));
 		return false;
 	}
+	const struct frame *f = top_frame(p->expand);
 	*name = raw->payload;
-	*where = raw_take(p);
+	*where = (span){ f->source->number, raw->offset, p->expand->names.list[*name].length,
+		f->site };
+	raw_step(p);
 	return true;
 }
 
@@ -461,6 +448,12 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 	if (f->position == f->end)
 		return at_end(p, where);
 	const struct raw_token raw = f->tokens[f->position];
+	if (raw.kind == RAW_DIRECTIVE) {
+		if (!gate_holds(x->gate) || passes_gate(x, &f->source->directives[raw.payload]))
+			return directive_run(p) ? -1 : 0;
+		*where = raw_span_of(x, f, raw);
+		return T_HASH; /* not taken either */
+	}
 	*where = raw_span_of(x, f, raw);
 	switch (raw.kind) {
 	case RAW_INTEGER:
@@ -488,10 +481,6 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 		return keyword_value(p, (enum keyword)raw.payload, v);
 	case RAW_NAME:
 		return name_fetch(p, raw.payload, v, where);
-	case RAW_DIRECTIVE:
-		if (gate_holds(x->gate) && !passes_gate(x, &f->source->directives[raw.payload]))
-			return T_HASH; /* not taken either */
-		return directive_run(p) ? -1 : 0;
 	case RAW_LE:
 		raw_step(p);
 		return T_LE;
@@ -577,7 +566,8 @@ int expand_next(struct parser *p, struct token_value *v, span *where)
 		*where = NO_SPAN;
 		return 0;
 	}
-	symbols_recycle(&x->symbols, ++p->token_count);
+	if (symbols_are_old(&x->symbols, ++p->token_count))
+		symbols_recycle(&x->symbols, p->token_count);
 	x->before = *x->gate;
 	gate_note(x->gate, token, v);
 	return token;
@@ -708,13 +698,11 @@ static enum looked look(struct parser *p, int token)
 	const struct raw_token raw = f->tokens[f->position];
 	switch (raw.kind) {
 	case RAW_DIRECTIVE:
-		return gate_holds(x->gate) &&
-				       !passes_gate(x, &f->source->directives[raw.payload])
+		return gate_holds(x->gate) && !passes_gate(x, &f->source->directives[raw.payload])
 			       ? LOOKED_NO
 			       : LOOKED_UNSURE;
 	case RAW_NAME:
-		return is_macro(x, raw.payload) && !gate_holds(x->gate) ? LOOKED_UNSURE
-									 : LOOKED_NO;
+		return is_macro(x, raw.payload) && !gate_holds(x->gate) ? LOOKED_UNSURE : LOOKED_NO;
 	case RAW_KEYWORD:
 		return x->gate == &x->scene_gate ? LOOKED_UNSURE : LOOKED_NO;
 	default:

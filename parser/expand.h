@@ -127,14 +127,35 @@ bool expand_push_file(struct parser *, struct source *, span call);
 void gate_open(struct parser *, struct gate *, bool hold);
 void gate_close(struct parser *);
 
+/* The text being read. */
+static inline struct frame *top_frame(struct expand *x)
+{
+	return &x->frames[x->frame_count - 1];
+}
 /* Whether a token that was handed back comes before the raw ones. */
-bool has_read_ahead(const struct expand *);
+static inline bool has_read_ahead(const struct expand *x)
+{
+	return x->unread_count && x->unread[x->unread_count - 1].frame >= x->frame_count;
+}
 /* Runs the directives and macro calls before the next token, as fetching it would; false if there are
  * none. */
 bool expand_settle(struct parser *);
 /* The next raw token as it stands, behind the ends of macros; NULL at the end of a file. */
-const struct raw_token *raw_peek(struct parser *);
-/* Steps over it; `span` of it. */
+const struct raw_token *raw_peek_at_end(struct parser *);
+static inline const struct raw_token *raw_peek(struct parser *p)
+{
+	const struct frame *f = top_frame(p->expand);
+	const bool plain = !p->failed && f->position < f->end &&
+			   f->tokens[f->position].kind != RAW_ERROR;
+	return plain ? &f->tokens[f->position] : raw_peek_at_end(p);
+}
+/* Steps over the raw token that raw_peek returned. */
+static inline void raw_step(struct parser *p)
+{
+	top_frame(p->expand)->position++;
+	p->expand->work++;
+}
+/* The same; its span. */
 span raw_take(struct parser *);
 /* Span of the raw token that raw_peek returns. */
 span raw_span(struct parser *);

@@ -64,7 +64,8 @@
 #define YYINITDEPTH 40
 #define YYMAXDEPTH 10000 /* what walks the tree recurses as deep */
 #define YYLLOC_DEFAULT(Current, Rhs, N) \
-	((Current) = (N) ? span_join(YYRHSLOC(Rhs, 1), YYRHSLOC(Rhs, N)) : \
+	((Current) = (N) == 1 ? YYRHSLOC(Rhs, 1) : \
+		     (N) ? span_join(YYRHSLOC(Rhs, 1), YYRHSLOC(Rhs, N)) : \
 			   (span){ YYRHSLOC(Rhs, 0).source, \
 				   YYRHSLOC(Rhs, 0).offset + YYRHSLOC(Rhs, 0).length, 0, \
 				   YYRHSLOC(Rhs, 0).site })

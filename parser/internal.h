@@ -21,7 +21,7 @@
 
 enum {
 	REFERENCE_LEVELS = 4000, /* of declared values that use declared values */
-	NESTED_PARSES = 300, /* active at once; more is an error (checked where parses begin) */
+	NESTED_PARSES = 300,	 /* active at once; more is an error (checked where parses begin) */
 };
 
 /* How bytes above 127 in string literals are read; global_settings { charset … } sets it. */
@@ -81,6 +81,14 @@ void parser_error_undeclared(struct parser *, span where, const char *name);
 void note_comparison(struct parser *, int token, span where);
 
 /* The span from the start of `first` to the end of `last`, if they come from the same text. */
-span span_join(span first, span last);
+static inline span span_join(span first, span last)
+{
+	const uint32_t end = last.offset + last.length;
+	if (first.source == 0)
+		return last;
+	if (first.source == last.source && first.site == last.site && end > first.offset)
+		first.length = end - first.offset;
+	return first;
+}
 
 #endif

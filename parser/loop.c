@@ -7,11 +7,6 @@
 
 #include <math.h>
 
-static struct frame *top_frame(struct expand *x)
-{
-	return &x->frames[x->frame_count - 1];
-}
-
 bool loop_within_limit(struct parser *p, span where)
 {
 	const size_t most = p->options->max_loop_tokens;

@@ -10,11 +10,6 @@
 
 #include <string.h>
 
-static struct frame *top_frame(struct expand *x)
-{
-	return &x->frames[x->frame_count - 1];
-}
-
 /* -- Definition --------------------------------------------------------------------------- */
 
 static bool read_parameters(struct parser *p, struct macro *m)

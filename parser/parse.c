@@ -62,16 +62,6 @@ void parser_error_undeclared(struct parser *p, span where, const char *name)
 		parser_error(p, where, "undeclared identifier '%s'", name);
 }
 
-span span_join(span first, span last)
-{
-	const uint32_t end = last.offset + last.length;
-	if (first.source == 0)
-		return last;
-	if (first.source == last.source && first.site == last.site && end > first.offset)
-		first.length = end - first.offset;
-	return first;
-}
-
 static bool is_word(const char *name)
 {
 	const size_t length =

@@ -348,8 +348,29 @@ static bool sum_of_products(struct quick *q, struct number *n)
 	return true;
 }
 
+/* A literal alone, the commonest of all sums. */
+static bool read_plain(struct quick *q, struct number *n)
+{
+	const struct raw_token *raw = q->at;
+	if (q->end - raw < 2)
+		return false;
+	const unsigned next = raw[1].kind;
+	if (next != ',' && next != '>' && next != ')' && next != ';' && next != ']' && next != '}')
+		return false;
+	if (raw->kind == RAW_INTEGER)
+		*n = number_float(raw->payload);
+	else if (raw->kind == RAW_NUMBER)
+		*n = number_float(q->frame->source->numbers[raw->payload]);
+	else
+		return false;
+	q->at++;
+	return true;
+}
+
 static bool read_sum(struct quick *q, struct number *n)
 {
+	if (read_plain(q, n))
+		return true;
 	if (q->depth == MAX_DEPTH)
 		return false;
 	q->depth++;
@@ -460,7 +481,8 @@ static bool finish(struct quick *q, bool good, size_t height)
 	const uint32_t position = (uint32_t)(q->at - f->tokens);
 	x->work += position - f->position;
 	p->token_count += position - f->position;
-	symbols_recycle(&x->symbols, p->token_count);
+	if (symbols_are_old(&x->symbols, p->token_count))
+		symbols_recycle(&x->symbols, p->token_count);
 	f->position = position;
 	x->gate->operand = true;
 	x->gate->dot = false;
@@ -583,7 +605,9 @@ bool quick_sum(struct parser *p, enum quick_place place, struct number *n, span 
 	const bool plain = ok && (n->terms == 1 || q.at - first > 1);
 	if (!finish(&q, plain, height))
 		return false;
-	*where = span_join(raw_span_at(p, first), raw_span_at(p, q.at - 1));
+	*where = raw_span_at(p, q.at - 1);
+	where->length += where->offset - first->offset;
+	where->offset = first->offset;
 	return true;
 }
 

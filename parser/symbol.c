@@ -48,10 +48,7 @@ void symbols_pop(struct symbols *s)
 
 void symbols_recycle(struct symbols *s, size_t token_count)
 {
-	const size_t round = token_count / 4096;
-	if (round == s->round)
-		return;
-	s->round = round;
+	s->round = token_count / SYMBOL_ROUND;
 	while (s->dead) {
 		struct symbol *symbol = s->dead;
 		s->dead = symbol->next;

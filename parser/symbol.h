@@ -28,6 +28,7 @@ struct symbol {
 enum {
 	SYMBOL_GLOBAL = 1, /* table 0 is that of the reserved words */
 	SYMBOL_TABLES = 100,
+	SYMBOL_ROUND = 4096, /* tokens */
 };
 
 struct symbols {
@@ -37,7 +38,7 @@ struct symbols {
 	struct symbol *first[SYMBOL_TABLES];
 	/* Symbols of tables that are gone; reused when nothing read ahead can refer to them. */
 	struct symbol *unused, *dying, *dead;
-	size_t round; /* token_count / 4096 of the latest change */
+	size_t round; /* token_count / SYMBOL_ROUND of the latest change */
 };
 
 void symbols_init(struct symbols *, struct names *, struct arena *);
@@ -45,7 +46,12 @@ void symbols_init(struct symbols *, struct names *, struct arena *);
 bool symbols_push(struct symbols *);
 /* Removes the innermost table with all that is in it. */
 void symbols_pop(struct symbols *);
-/* Lets symbols of tables long gone be used again. */
+/* Whether a round is over since the last symbols_recycle. */
+static inline bool symbols_are_old(const struct symbols *s, size_t token_count)
+{
+	return token_count / SYMBOL_ROUND != s->round;
+}
+/* Once a round: lets symbols of tables long gone be used again. */
 void symbols_recycle(struct symbols *, size_t token_count);
 
 /* The innermost symbol of a name, or NULL. */
