@@ -174,9 +174,10 @@ static void take_old_colour(
 	struct parser *p, const struct shape_form *form, struct body *body, size_t least)
 {
 	struct grammar *g = p->grammar;
+	if (form->tail || g->arg_count - body->start <= least)
+		return;
 	const struct arg *last = &g->args[g->arg_count - 1];
-	if (form->tail || g->arg_count - body->start <= least || last->kind != ARG_NUMBER ||
-		last->number.terms != 5)
+	if (last->kind != ARG_NUMBER || last->number.terms != 5)
 		return;
 	struct node *colour =
 		old_colour(p, (struct colour_value){ last->number, NULL, true }, last->span);
