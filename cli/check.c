@@ -1,20 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* lambert check scene.pov: reads and prepares a scene without rendering it. */
+/* lambert check scene.pov: reads a scene and says what is wrong with it. */
 #include "commands.h"
 #include "names.h"
 #include "setup.h"
 
-static void say_result(const struct options *o, const struct messages *m, lambert_scene *scene)
+static void say_result(const struct options *o, const struct messages *m, bool good,
+	const struct lambert_scene_stats *s)
 {
 	if (o->quiet || o->json)
 		return;
-	struct lambert_scene_stats s = { 0 };
-	if (scene)
-		lambert_scene_statistics(scene, &s);
-	if (scene)
+	if (good)
 		fprintf(stderr, "%s: good: %zu object%s, %zu light%s, %u warning%s\n", o->input,
-			s.objects, s.objects == 1 ? "" : "s", s.lights, s.lights == 1 ? "" : "s",
-			m->warnings, m->warnings == 1 ? "" : "s");
+			s->objects, s->objects == 1 ? "" : "s", s->lights,
+			s->lights == 1 ? "" : "s", m->warnings, m->warnings == 1 ? "" : "s");
 	else
 		fprintf(stderr, "%s: %u error%s, %u warning%s\n", o->input, m->errors,
 			m->errors == 1 ? "" : "s", m->warnings, m->warnings == 1 ? "" : "s");
@@ -25,17 +23,17 @@ static int check(struct options *o)
 	struct messages messages;
 	struct frames frames;
 	struct lambert_scene_options options;
-	lambert_scene *scene = NULL;
+	struct lambert_scene_stats stats;
+	bool good = false;
 	frames_init(&frames, o);
 	if (messages_init(&messages, o, NULL, false)) {
 		messages.json = o->json ? stdout : NULL;
 		setup_scene(o, &messages, &frames, frames.first, &options);
-		scene = lambert_scene_load(names_scene(o), &options);
-		say_result(o, &messages, scene);
+		good = lambert_scene_check(names_scene(o), &options, &stats);
+		say_result(o, &messages, good, &stats);
 	}
 	messages_finish(&messages);
-	lambert_scene_destroy(scene);
-	return scene ? STATUS_OK : STATUS_ERROR;
+	return good ? STATUS_OK : STATUS_ERROR;
 }
 
 int command_check(int argc, char **argv)

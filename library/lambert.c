@@ -121,13 +121,11 @@ static unsigned thread_count(unsigned wanted)
 	return wanted ? wanted : parallel_processors();
 }
 
-static void fill_statistics(struct lambert_scene_stats *stats, const struct scene *s)
+static void add_tree_statistics(struct lambert_scene_stats *stats, const struct scene *s)
 {
 	const struct accel_stats a = accel_statistics(s->accel);
-	stats->objects = a.objects;
 	stats->unbounded_objects = a.unbounded;
 	stats->accel_bytes = a.bytes;
-	stats->lights = s->light_count;
 }
 
 /* The renderer answers the questions of the language while the text is read. */
@@ -141,7 +139,8 @@ static const struct ast *parse(
 	return ast;
 }
 
-static struct scene *load(const char *path, const struct lambert_scene_options *o,
+/* Text to scene; NULL after an error. */
+static struct scene *read_scene(const char *path, const struct lambert_scene_options *o,
 	struct diag *diag, struct arena *arena, struct lambert_scene_stats *stats)
 {
 	const double start = cpu_seconds();
@@ -163,13 +162,11 @@ static struct scene *load(const char *path, const struct lambert_scene_options *
 		scene_destroy(scene);
 		return NULL;
 	}
-	const double lowered = cpu_seconds();
-	scene_commit(scene, thread_count(o->threads));
-	fill_statistics(stats, scene);
 	stats->tokens = ast->token_count;
+	stats->objects = scene->object_count;
+	stats->lights = scene->light_count;
 	stats->parse_cpu = parsed - start;
-	stats->lower_cpu = lowered - parsed;
-	stats->build_cpu = cpu_seconds() - lowered;
+	stats->lower_cpu = cpu_seconds() - parsed;
 	return scene;
 }
 
@@ -179,38 +176,46 @@ static struct scene *load(const char *path, const struct lambert_scene_options *
 struct load_job {
 	const char *path;
 	const struct lambert_scene_options *options;
-	lambert_scene *result;
+	struct scene *scene;
+	struct lambert_scene_stats stats;
 	FILE *out;
 	bool fine;
 };
 
-static lambert_scene *load_scene(const char *path, const struct lambert_scene_options *o)
-{
-	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)o);
-	struct arena *arena = arena_create(1 << 20);
-	struct lambert_scene_stats stats = { 0 };
-	struct scene *scene = load(path, o, diag, arena, &stats);
-	lambert_scene *handle = NULL;
-	if (scene) {
-		handle = memory_alloc(1, sizeof *handle);
-		*handle = (lambert_scene){ scene, o->width, o->height, stats };
-	}
-	arena_destroy(arena);
-	diag_destroy(diag);
-	return handle;
-}
-
-static void load_main(void *user)
+/* What reading needs besides the scene is gone before the tree of boxes is built. */
+static void read_main(void *user)
 {
 	struct load_job *job = user;
-	job->result = load_scene(job->path, job->options);
+	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)job->options);
+	struct arena *arena = arena_create(1 << 20);
+	job->scene = read_scene(job->path, job->options, diag, arena, &job->stats);
+	arena_destroy(arena);
+	diag_destroy(diag);
 }
 
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
 {
 	struct load_job job = { .path = path, .options = o };
-	parallel_with_stack(DEEP_STACK, load_main, &job);
-	return job.result;
+	parallel_with_stack(DEEP_STACK, read_main, &job);
+	if (!job.scene)
+		return NULL;
+	const double start = cpu_seconds();
+	scene_commit(job.scene, thread_count(o->threads));
+	job.stats.build_cpu = cpu_seconds() - start;
+	add_tree_statistics(&job.stats, job.scene);
+	lambert_scene *handle = memory_alloc(1, sizeof *handle);
+	*handle = (lambert_scene){ job.scene, o->width, o->height, job.stats };
+	return handle;
+}
+
+bool lambert_scene_check(
+	const char *path, const struct lambert_scene_options *o, struct lambert_scene_stats *stats)
+{
+	struct load_job job = { .path = path, .options = o };
+	parallel_with_stack(DEEP_STACK, read_main, &job);
+	*stats = job.stats;
+	scene_destroy(job.scene);
+	return job.scene != NULL;
 }
 
 void lambert_scene_destroy(lambert_scene *s)

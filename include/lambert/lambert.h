@@ -94,13 +94,16 @@ void lambert_scene_options_init(struct lambert_scene_options *);
 /* Reads, checks and prepares a scene; NULL after an error (the messages say which). */
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *);
 void lambert_scene_destroy(lambert_scene *);
-/* Reads a scene and prints its syntax tree as JSON; false after an error. */
-bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *, FILE *);
-
 struct lambert_scene_stats {
 	size_t tokens, objects, lights, unbounded_objects, accel_bytes;
 	double parse_cpu, lower_cpu, build_cpu; /* CPU seconds */
 };
+/* Reads and checks a scene without preparing it; false after an error. Every error that loading finds
+ * is found. The numbers of what is not prepared stay 0. */
+bool lambert_scene_check(
+	const char *path, const struct lambert_scene_options *, struct lambert_scene_stats *);
+/* Reads a scene and prints its syntax tree as JSON; false after an error. */
+bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *, FILE *);
 void lambert_scene_statistics(const lambert_scene *, struct lambert_scene_stats *);
 
 struct lambert_render_stats {
