@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Arenas: a list of blocks, filled from the front. Large requests get a block
- * of their own. Memory is zeroed when it is handed out.
+ * of their own. Memory is zero when it is handed out.
+ *
+ * Blocks grow with the arena. Where much memory is wanted the system is asked
+ * for huge pages: getting small ones, half a million of them to the gigabyte,
+ * takes longer than filling them.
  */
 #include "base/arena.h"
 
@@ -11,9 +15,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 enum {
 	DEFAULT_BLOCK = 64 * 1024,
+	HUGE_PAGE = 2 << 20,
+	MAPPED_BLOCK = 4 << 20, /* blocks of this size and above come from the system */
+	GROWTH = 8,		/* a block holds this share of the arena */
 	BIG_ALIGNMENT = 64,
 	SMALL_ALIGNMENT = 16,
 	PACKED_ALIGNMENT = 8,
@@ -23,7 +31,9 @@ struct block {
 	struct block *next;
 	size_t size; /* bytes that follow the header */
 	size_t used;
-	char padding[BIG_ALIGNMENT - sizeof(void *) - 2 * sizeof(size_t)];
+	size_t dirty; /* memory behind this is zero */
+	bool mapped;
+	char padding[BIG_ALIGNMENT - 2 * sizeof(void *) - 3 * sizeof(size_t)];
 };
 
 struct arena {
@@ -54,27 +64,76 @@ void *memory_alloc(size_t count, size_t size)
 	return memory;
 }
 
+/* Only advice: whether it is taken does not matter to anybody. */
+static void want_huge_pages(void *memory, size_t size)
+{
+	const uintptr_t start = ((uintptr_t)memory + HUGE_PAGE - 1) & ~(uintptr_t)(HUGE_PAGE - 1);
+	const uintptr_t end = ((uintptr_t)memory + size) & ~(uintptr_t)(HUGE_PAGE - 1);
+	if (end > start)
+		(void)madvise((void *)start, end - start, MADV_HUGEPAGE);
+}
+
 void *memory_grow(void *old, size_t count, size_t size)
 {
 	const size_t bytes = checked_product(count, size);
 	void *memory = realloc(old, bytes ? bytes : 1);
 	if (!memory)
 		out_of_memory(bytes);
+	if (bytes >= MAPPED_BLOCK)
+		want_huge_pages(memory, bytes);
 	return memory;
 }
 
+/* Zeroed memory of the system that begins with a huge page. */
+static void *map(size_t size)
+{
+	char *memory = mmap(
+		NULL, size + HUGE_PAGE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+	if (memory == MAP_FAILED)
+		return NULL;
+	const size_t before = -(uintptr_t)memory & (HUGE_PAGE - 1);
+	if (before)
+		munmap(memory, before);
+	munmap(memory + before + size, HUGE_PAGE - before);
+	want_huge_pages(memory + before, size);
+	return memory + before;
+}
+
+/* With room for `size` bytes. */
 static struct block *block_create(size_t size)
 {
 	if (size > SIZE_MAX / 2)
 		out_of_memory(size);
-	size = (size + BIG_ALIGNMENT - 1) & ~(size_t)(BIG_ALIGNMENT - 1);
-	struct block *b = aligned_alloc(BIG_ALIGNMENT, sizeof *b + size);
+	size_t whole = sizeof(struct block) + size;
+	const bool mapped = whole >= MAPPED_BLOCK;
+	const size_t unit = mapped ? HUGE_PAGE : BIG_ALIGNMENT;
+	whole = (whole + unit - 1) & ~(unit - 1);
+	struct block *b = mapped ? map(whole) : aligned_alloc(BIG_ALIGNMENT, whole);
 	if (!b)
 		out_of_memory(size);
 	b->next = NULL;
-	b->size = size;
+	b->size = whole - sizeof *b;
 	b->used = 0;
+	b->dirty = mapped ? 0 : b->size;
+	b->mapped = mapped;
 	return b;
+}
+
+static void block_destroy(struct block *b)
+{
+	if (b->mapped)
+		munmap(b, sizeof *b + b->size);
+	else
+		free(b);
+}
+
+/* The size of the next block: in proportion to what is there. */
+static size_t next_block(const struct arena *a)
+{
+	size_t size = a->block_size;
+	while (size < MAPPED_BLOCK && size < a->handed_out / GROWTH)
+		size *= 2;
+	return size;
 }
 
 struct arena *arena_create(size_t block)
@@ -90,7 +149,7 @@ static void blocks_free(struct block *b)
 {
 	while (b) {
 		struct block *next = b->next;
-		free(b);
+		block_destroy(b);
 		b = next;
 	}
 }
@@ -119,8 +178,9 @@ static void *take(struct arena *a, size_t size, size_t alignment)
 	size_t start = b ? (b->used + alignment - 1) & ~(alignment - 1) : 0;
 
 	if (!b || start > b->size || size > b->size - start) {
-		const bool alone = size > a->block_size / 4;
-		struct block *fresh = block_create(alone ? size : a->block_size);
+		const size_t usual = next_block(a);
+		const bool alone = size > usual / 4;
+		struct block *fresh = block_create(alone ? size : usual);
 		if (alone && b) { /* keep filling the current block afterwards */
 			fresh->next = b->next;
 			b->next = fresh;
@@ -133,7 +193,12 @@ static void *take(struct arena *a, size_t size, size_t alignment)
 	}
 	b->used = start + size;
 	a->handed_out += size;
-	return memset((char *)(b + 1) + start, 0, size);
+	char *memory = (char *)(b + 1) + start;
+	if (start < b->dirty)
+		memset(memory, 0, b->dirty - start < size ? b->dirty - start : size);
+	if (b->dirty < b->used)
+		b->dirty = b->used;
+	return memory;
 }
 
 void *arena_alloc(struct arena *a, size_t size)

@@ -41,12 +41,7 @@ struct hooks *hooks_create(struct diag *diag, const struct parse_options *files)
 	h->ast.final = (struct language_state){ .version = 370, .version_set = true };
 	h->options =
 		(struct lower_options){ .width = 1, .height = 1, .quality = 9, .files = files };
-	h->lowering = (struct lowering){ .scene = h->scene,
-		.arena = h->scene->arena,
-		.diag = diag,
-		.ast = &h->ast,
-		.options = &h->options };
-	settings_begin(&h->lowering);
+	lowering_init(&h->lowering, &h->ast, &h->options, diag, h->scene);
 	return h;
 }
 
@@ -99,6 +94,7 @@ static struct probe *probe_create(struct hooks *h, const struct node *object)
 	if (!d)
 		return NULL;
 	draft_emit(&h->lowering, d, object->state);
+	lowering_forget(&h->lowering);
 	p->count = h->scene->object_count - first;
 	p->objects = memory_alloc(p->count, sizeof *p->objects);
 	memcpy(p->objects, h->scene->objects + first, p->count * sizeof *p->objects);

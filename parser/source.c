@@ -184,6 +184,15 @@ static struct source *begin(struct arena *arena, const char *name, size_t size)
 	return s;
 }
 
+/* Room for the tokens of most texts: what is not used is never touched, and growing would copy. */
+static void reserve(struct source *s)
+{
+	s->room = (uint32_t)(s->size / 2 + 64);
+	s->tokens = memory_grow(NULL, s->room, sizeof *s->tokens);
+	s->number_room = (uint32_t)(s->size / 8 + 16);
+	s->numbers = memory_grow(NULL, s->number_room, sizeof *s->numbers);
+}
+
 static void complete(struct source *s, struct arena *arena, struct diag *diag, struct names *names,
 	bool main_file)
 {
@@ -197,9 +206,10 @@ static void complete(struct source *s, struct arena *arena, struct diag *diag, s
 		s->has_mark = true;
 		s->bytes[i] = ' ';
 	}
+	reserve(s);
 	lex_source(s, names, arena);
-	if (s->count < s->room)
-		s->tokens = memory_grow(s->tokens, s->count ? s->count : 1, sizeof *s->tokens);
+	s->tokens = memory_grow(s->tokens, s->count, sizeof *s->tokens);
+	s->numbers = memory_grow(s->numbers, s->number_count, sizeof *s->numbers);
 }
 
 struct source *source_create(struct arena *arena, struct diag *diag, struct names *names,

@@ -95,7 +95,5 @@ void lower_background(struct lowering *, const struct node *);
 void lower_global_settings(struct lowering *, const struct node *);
 /* Before the first statement: the defaults, and what the end of the text decides. */
 void settings_begin(struct lowering *);
-/* Frees what lowering keeps beside the scene. */
-void lowering_release(struct lowering *);
 
 #endif

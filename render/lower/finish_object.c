@@ -182,13 +182,13 @@ static struct object *finish_shape(struct lowering *l, struct draft *d, const st
 {
 	struct object *o = ARENA_NEW(l->arena, struct object);
 	o->shape = d->shape;
-	o->self = d->self;
 	const bool moved = d->is_placed && !transform_is_identity(&d->place);
 	/* uv coordinates of a sphere are those before its transformations */
 	if (moved && (h->uv_mapping || !d->shape->absorb || !d->shape->absorb(d->self, &d->place)))
 		o->place = arena_copy(l->arena, &d->place, sizeof d->place);
 	else if (moved && d->shape->uv) /* for a pigment with uv_mapping of its own */
 		o->uv_place = arena_copy(l->arena, &d->place, sizeof d->place);
+	o->self = arena_copy(l->arena, d->self, d->shape->size);
 	finish_leaf(l, d, h, o);
 	return o;
 }

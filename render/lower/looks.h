@@ -145,6 +145,8 @@ extern const struct finish_state finish_state_fresh;
 const struct finish_state *finish_declared(struct lowering *, const struct node *);
 const struct finish_state *finish_read(
 	struct lowering *, const struct node *block, const struct finish_state *start);
+/* The scene's copy; equal ones in a row share one. */
+const struct finish *finish_build(struct lowering *, const struct finish_state *);
 
 /* ---- textures: lower_texture.c, lower_patterned.c ---- */
 

@@ -50,8 +50,38 @@ static void statement(struct lowering *l, const struct node *n)
 	}
 }
 
+void lowering_init(struct lowering *l, const struct ast *ast, const struct lower_options *options,
+	struct diag *diag, struct scene *scene)
+{
+	*l = (struct lowering){
+		.scene = scene,
+		.arena = scene->arena,
+		.diag = diag,
+		.ast = ast,
+		.options = options,
+		.statement_states = arena_create(0),
+		.declared_states = arena_create(0),
+	};
+	l->states = l->statement_states;
+	settings_begin(l);
+}
+
+void lowering_forget(struct lowering *l)
+{
+	arena_reset(l->statement_states);
+}
+
+struct arena *lowering_keep(struct lowering *l)
+{
+	struct arena *const before = l->states;
+	l->states = l->declared_states;
+	return before;
+}
+
 void lowering_release(struct lowering *l)
 {
+	arena_destroy(l->statement_states);
+	arena_destroy(l->declared_states);
 	pointer_map_release(&l->drafts);
 	pointer_map_release(&l->functions);
 	pointer_map_release(&l->looks);
@@ -61,6 +91,7 @@ static bool lower_statements(struct lowering *l)
 {
 	for (const struct node *n = l->ast->statements; n; n = n->next) {
 		statement(l, n);
+		lowering_forget(l);
 		if (diag_errors(l->diag) >= ERRORS_MAX) {
 			diag_note(l->diag, n->span, "too many errors: stopped here");
 			return false;
@@ -76,14 +107,8 @@ static bool lower_statements(struct lowering *l)
 bool lower_scene(const struct ast *ast, const struct lower_options *options, struct diag *diag,
 	struct scene *scene)
 {
-	struct lowering l = {
-		.scene = scene,
-		.arena = scene->arena,
-		.diag = diag,
-		.ast = ast,
-		.options = options,
-	};
-	settings_begin(&l);
+	struct lowering l;
+	lowering_init(&l, ast, options, diag, scene);
 	const bool fine = lower_statements(&l);
 	lowering_release(&l);
 	return fine;

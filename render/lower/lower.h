@@ -24,19 +24,36 @@ struct lower_options {
 
 struct lowering {
 	struct scene *scene;
-	struct arena *arena; /* the scene's */
+	struct arena *arena; /* the scene's: what the scene is made of */
+	/* Drafts and the states of looks: of the present statement, forgotten at its end; of what is
+	 * declared, which later statements use again. */
+	struct arena *statement_states, *declared_states;
+	struct arena *states; /* where they are made now: one of the two */
 	struct diag *diag;
 	const struct ast *ast;
 	const struct lower_options *options;
-	struct pointer_map looks; /* states of pigments, normals, textures, maps made already, by node */
+	struct pointer_map
+		looks; /* states of pigments, normals, textures, maps made already, by node */
 	const struct wave_sources *wave_sources;
-	struct pointer_map drafts;    /* declared objects drafted already, by node */
-	struct pointer_map functions; /* compiled already, by struct function */
-	unsigned cameras;           /* met so far */
+	struct pointer_map drafts;	       /* declared objects drafted already, by node */
+	struct pointer_map functions;	       /* compiled already, by struct function */
+	unsigned cameras;		       /* met so far */
 	const struct texture *default_texture; /* finished, for objects without one */
 	const struct defaults *default_of;     /* the #default it was made of */
 	struct interior *plain_interior[2];    /* of opaque objects: solid, hollow */
+	const struct finish *last_finish;      /* built */
+	const struct shape_class *shapes[KEYWORD_COUNT]; /* found already */
 };
+
+/* For a scene that is still empty. */
+void lowering_init(struct lowering *, const struct ast *, const struct lower_options *,
+	struct diag *, struct scene *);
+void lowering_release(struct lowering *);
+/* At the end of a statement: its drafts and states are not needed any more. */
+void lowering_forget(struct lowering *);
+/* States made from now on are those of something declared. Returns what to set `states` to when that
+ * is read. */
+struct arena *lowering_keep(struct lowering *);
 
 /* False after an error. */
 bool lower_scene(const struct ast *, const struct lower_options *, struct diag *, struct scene *);

@@ -235,7 +235,7 @@ static void interior_item(struct lowering *l, const struct node *item, struct dr
 struct draft_interior *lower_interior(
 	struct lowering *l, const struct node *n, const struct draft_interior *start)
 {
-	struct draft_interior *i = ARENA_NEW(l->arena, struct draft_interior);
+	struct draft_interior *i = ARENA_NEW(l->states, struct draft_interior);
 	if (start)
 		*i = *start;
 	else

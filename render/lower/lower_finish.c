@@ -4,6 +4,8 @@
  */
 #include "render/lower/looks.h"
 
+#include <string.h>
+
 const struct finish_state finish_state_fresh = {
 	.finish = {
 		.ambient = { 0.1f, 0.1f, 0.1f },
@@ -27,7 +29,9 @@ const struct finish_state *finish_declared(struct lowering *l, const struct node
 {
 	const struct finish_state *state = looks_find(l, n);
 	if (!state) {
+		struct arena *const before = lowering_keep(l);
 		state = finish_read(l, n, default_spec(l, n->state)->layers->finish);
+		l->states = before;
 		looks_remember(l, n, (void *)(uintptr_t)state);
 	}
 	return state;
@@ -230,10 +234,17 @@ static void apply_albedo(struct finish *f, const struct albedo *albedo)
 const struct finish_state *finish_read(
 	struct lowering *l, const struct node *block, const struct finish_state *start)
 {
-	struct finish_state *s = arena_copy(l->arena, start, sizeof *start);
+	struct finish_state *s = arena_copy(l->states, start, sizeof *start);
 	struct albedo albedo = { false, false, false };
 	for (const struct node *item = block->children; item; item = item->next)
 		read_item(l, s, &albedo, item);
 	apply_albedo(&s->finish, &albedo);
 	return s;
+}
+
+const struct finish *finish_build(struct lowering *l, const struct finish_state *s)
+{
+	if (!l->last_finish || memcmp(l->last_finish, &s->finish, sizeof s->finish) != 0)
+		l->last_finish = arena_copy(l->arena, &s->finish, sizeof s->finish);
+	return l->last_finish;
 }

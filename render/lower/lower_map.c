@@ -60,6 +60,7 @@ const struct map_state *lower_map(
 			keyword_name(word), ENTRIES_MAX);
 		return NULL;
 	}
+	struct arena *const before = lowering_keep(l);
 	map = map_create(l, count);
 	if (word == K_COLOR_MAP)
 		map->colours = ARENA_ARRAY(l->arena, count, colour);
@@ -81,6 +82,7 @@ const struct map_state *lower_map(
 			map->items[i] = entry_reader(l, entry);
 		i++;
 	}
+	l->states = before;
 	looks_remember(l, n, map);
 	return map;
 }

@@ -7,7 +7,7 @@
 static struct looks *looks_of(struct lowering *l, struct looks **looks)
 {
 	if (!*looks)
-		*looks = ARENA_NEW(l->arena, struct looks);
+		*looks = ARENA_NEW(l->states, struct looks);
 	return *looks;
 }
 
@@ -19,7 +19,7 @@ static void add_texture(struct lowering *l, struct looks **looks, const struct n
 /* interior_texture { … } reads like texture { … }. */
 static void add_interior_texture(struct lowering *l, struct draft *d, const struct node *item)
 {
-	struct node *as_texture = arena_copy(l->arena, item, sizeof *item);
+	struct node *as_texture = arena_copy(l->states, item, sizeof *item);
 	as_texture->keyword = K_TEXTURE;
 	as_texture->next = NULL;
 	add_texture(l, &d->interior_texture, as_texture);

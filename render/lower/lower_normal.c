@@ -23,7 +23,9 @@ const struct normal_state *normal_declared(struct lowering *l, const struct node
 {
 	const struct normal_state *state = looks_find(l, n);
 	if (!state) {
+		struct arena *const before = lowering_keep(l);
 		state = normal_read(l, n, default_normal(l, n));
+		l->states = before;
 		looks_remember(l, n, (void *)(uintptr_t)state);
 	}
 	return state;
@@ -122,11 +124,11 @@ const struct normal_state *normal_read(
 	struct lowering *l, const struct node *block, const struct normal_state *start)
 {
 	if (!start) {
-		struct normal_state *s = arena_copy(l->arena, &fresh, sizeof fresh);
+		struct normal_state *s = arena_copy(l->states, &fresh, sizeof fresh);
 		s->pattern = pattern_state_fresh;
 		start = s;
 	}
-	struct normal_state *s = arena_copy(l->arena, start, sizeof *start);
+	struct normal_state *s = arena_copy(l->states, start, sizeof *start);
 	s->built = NULL;
 	for (const struct node *item = block->children; item && s->form != FORM_REFUSED;
 		item = item->next)
@@ -144,7 +146,7 @@ const struct normal_state *normal_moved(
 {
 	if (!from || from->form == FORM_UV || from->form == FORM_REFUSED)
 		return from;
-	struct normal_state *s = arena_copy(l->arena, from, sizeof *from);
+	struct normal_state *s = arena_copy(l->states, from, sizeof *from);
 	s->built = NULL;
 	pattern_state_move(l, &s->pattern, t);
 	return s;
@@ -155,7 +157,7 @@ const struct normal_state *normal_unscaled(struct lowering *l, const struct norm
 {
 	if (!from)
 		return NULL;
-	struct normal_state *s = arena_copy(l->arena, from, sizeof *from);
+	struct normal_state *s = arena_copy(l->states, from, sizeof *from);
 	s->built = NULL;
 	s->keeps_length = true;
 	return s;

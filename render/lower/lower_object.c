@@ -13,13 +13,16 @@ static bool is_csg_keyword(enum keyword k)
 	       k == K_COMPOSITE;
 }
 
-/* Primitives of the language that lambert does not render yet. */
-static bool is_known_primitive(enum keyword k)
+static bool is_primitive(enum keyword k)
 {
 	switch (k) {
 	case K_BICUBIC_PATCH:
 	case K_BLOB:
+	case K_BOX:
+	case K_CONE:
 	case K_CUBIC:
+	case K_CYLINDER:
+	case K_DISC:
 	case K_HEIGHT_FIELD:
 	case K_ISOSURFACE:
 	case K_JULIA_FRACTAL:
@@ -28,15 +31,20 @@ static bool is_known_primitive(enum keyword k)
 	case K_MESH2:
 	case K_OVUS:
 	case K_PARAMETRIC:
+	case K_PLANE:
 	case K_POLY:
 	case K_POLYGON:
 	case K_POLYNOMIAL:
 	case K_PRISM:
 	case K_QUADRIC:
 	case K_QUARTIC:
+	case K_SMOOTH_TRIANGLE:
 	case K_SOR:
+	case K_SPHERE:
 	case K_SPHERE_SWEEP:
 	case K_SUPERELLIPSOID:
+	case K_TORUS:
+	case K_TRIANGLE:
 		return true;
 	default:
 		return false;
@@ -47,12 +55,12 @@ bool node_is_object(const struct node *item)
 {
 	const enum keyword k = node_resolve(item)->keyword;
 	return is_csg_keyword(k) || k == K_OBJECT || k == K_TEXT || k == K_LIGHT_SOURCE ||
-	       k == K_LIGHT_GROUP || is_known_primitive(k) || shape_find(keyword_name(k));
+	       k == K_LIGHT_GROUP || is_primitive(k);
 }
 
 static struct draft *draft_create(struct lowering *l, enum draft_kind kind, const struct node *n)
 {
-	struct draft *d = ARENA_NEW(l->arena, struct draft);
+	struct draft *d = ARENA_NEW(l->states, struct draft);
 	d->kind = kind;
 	d->node = n;
 	d->place = transform_identity();
@@ -64,14 +72,14 @@ static struct looks *looks_copy(struct lowering *l, const struct looks *looks)
 {
 	if (!looks)
 		return NULL;
-	struct looks *copy = ARENA_NEW(l->arena, struct looks);
+	struct looks *copy = ARENA_NEW(l->states, struct looks);
 	copy->state = texture_state_copy(l, looks->state);
 	return copy;
 }
 
 static struct draft_interior *interior_copy(struct lowering *l, const struct draft_interior *i)
 {
-	return i ? arena_copy(l->arena, i, sizeof *i) : NULL;
+	return i ? arena_copy(l->states, i, sizeof *i) : NULL;
 }
 
 static struct draft *draft_copy(struct lowering *l, const struct draft *d);
@@ -88,11 +96,11 @@ static struct draft *list_copy(struct lowering *l, const struct draft *list)
 
 static struct draft *draft_copy(struct lowering *l, const struct draft *d)
 {
-	struct draft *copy = arena_copy(l->arena, d, sizeof *d);
+	struct draft *copy = arena_copy(l->states, d, sizeof *d);
 	copy->next = NULL;
 	copy->children = list_copy(l, d->children);
 	if (d->self)
-		copy->self = arena_copy(l->arena, d->self, d->shape->size);
+		copy->self = arena_copy(l->states, d->self, d->shape->size);
 	if (d->light)
 		copy->light = arena_copy(l->arena, d->light, sizeof *d->light);
 	copy->looks_like = d->looks_like ? draft_copy(l, d->looks_like) : NULL;
@@ -170,9 +178,9 @@ static void fill_params(
 			break;
 		case PARAM_TYPE_ARRAY:
 			if (index < n->arg_count && n->args[index].kind == ARG_ARRAY) {
-				*(struct param_array *)field = (struct param_array){
-					n->args[index].array.values, n->args[index].array.count
-				};
+				*(struct param_array *)field =
+					(struct param_array){ n->args[index].array.values,
+						n->args[index].array.count };
 				index++;
 			}
 			break;
@@ -211,7 +219,7 @@ static struct draft *draft_primitive(
 	struct draft *d = draft_create(l, DRAFT_SHAPE, n);
 	const unsigned before = diag_errors(l->diag);
 	d->shape = shape;
-	d->self = arena_alloc(l->arena, shape->size);
+	d->self = arena_alloc(l->states, shape->size);
 	fill_params(l, n, shape->params, d->self);
 	struct build_report report = { l, n };
 	struct shape_build build = {
@@ -330,6 +338,14 @@ static void check_interior_texture(struct lowering *l, const struct node *n, con
 			"interior_texture needs a texture or pigment of the same object beside it");
 }
 
+/* What renders a primitive, or NULL; looked up by name once. */
+static const struct shape_class *shape_of(struct lowering *l, enum keyword k)
+{
+	if (!l->shapes[k])
+		l->shapes[k] = shape_find(keyword_name(k));
+	return l->shapes[k];
+}
+
 static struct draft *draft_statement(struct lowering *l, const struct node *n)
 {
 	if (n->keyword == K_OBJECT)
@@ -342,7 +358,7 @@ static struct draft *draft_statement(struct lowering *l, const struct node *n)
 		return draft_group(l, n);
 	if (n->keyword == K_TEXT)
 		return draft_text(l, n);
-	const struct shape_class *shape = shape_find(keyword_name(n->keyword));
+	const struct shape_class *shape = shape_of(l, n->keyword);
 	if (shape && shape->params)
 		return draft_primitive(l, n, shape);
 	lower_unsupported(l, n, keyword_name(n->keyword));
@@ -364,7 +380,9 @@ struct draft *draft_from_node(struct lowering *l, const struct node *item)
 	const struct node *n = node_resolve(item);
 	const struct draft *declared = pointer_map_find(&l->drafts, n);
 	if (!declared) {
+		struct arena *const before = lowering_keep(l);
 		struct draft *fresh = draft_complete(l, n);
+		l->states = before;
 		if (!fresh)
 			return NULL;
 		pointer_map_add(&l->drafts, n, fresh);

@@ -8,7 +8,7 @@
 
 static const struct texture_spec *spec_of(struct lowering *l, struct patterned_state *s)
 {
-	struct texture_spec *spec = ARENA_NEW(l->arena, struct texture_spec);
+	struct texture_spec *spec = ARENA_NEW(l->states, struct texture_spec);
 	spec->patterned = s;
 	return spec;
 }
@@ -69,7 +69,7 @@ static void read_item(struct lowering *l, struct patterned_state *s, const struc
 
 const struct texture_spec *patterned_read(struct lowering *l, const struct node *block)
 {
-	struct patterned_state *s = ARENA_NEW(l->arena, struct patterned_state);
+	struct patterned_state *s = ARENA_NEW(l->states, struct patterned_state);
 	s->pattern = pattern_state_fresh;
 	s->node = block;
 	for (const struct node *item = block->children; item && s->form != FORM_REFUSED;
@@ -104,7 +104,7 @@ static const struct texture_spec *tile_layers(
 /* A checker whose first texture lies on the odd cells. */
 const struct texture_spec *tiles_read(struct lowering *l, const struct node *tiles)
 {
-	struct patterned_state *s = ARENA_NEW(l->arena, struct patterned_state);
+	struct patterned_state *s = ARENA_NEW(l->states, struct patterned_state);
 	struct map_state *map = ARENA_NEW(l->arena, struct map_state);
 	const struct node *second = node_child(tiles, K_TILE2);
 	map->count = 2;

@@ -20,7 +20,9 @@ const struct pigment_state *pigment_declared(struct lowering *l, const struct no
 {
 	const struct pigment_state *state = looks_find(l, n);
 	if (!state) {
+		struct arena *const before = lowering_keep(l);
 		state = pigment_read(l, n, default_spec(l, n->state)->layers->pigment);
+		l->states = before;
 		looks_remember(l, n, (void *)(uintptr_t)state);
 	}
 	return state;
@@ -121,7 +123,7 @@ static void read_item(struct lowering *l, struct pigment_state *s, const struct 
 const struct pigment_state *pigment_read(
 	struct lowering *l, const struct node *block, const struct pigment_state *start)
 {
-	struct pigment_state *s = arena_copy(l->arena, start, sizeof *start);
+	struct pigment_state *s = arena_copy(l->states, start, sizeof *start);
 	s->built = NULL;
 	s->node = block;
 	for (const struct node *item = block->children; item && s->form != FORM_REFUSED;
@@ -142,7 +144,7 @@ const struct pigment_state *pigment_moved(
 {
 	if (from->form == FORM_UV)
 		return from;
-	struct pigment_state *s = arena_copy(l->arena, from, sizeof *from);
+	struct pigment_state *s = arena_copy(l->states, from, sizeof *from);
 	s->built = NULL;
 	pattern_state_move(l, &s->pattern, t);
 	return s;
@@ -172,7 +174,7 @@ static const struct map_state *unfiltered_map(struct lowering *l, const struct m
 
 const struct pigment_state *pigment_unfiltered(struct lowering *l, const struct pigment_state *from)
 {
-	struct pigment_state *s = arena_copy(l->arena, from, sizeof *from);
+	struct pigment_state *s = arena_copy(l->states, from, sizeof *from);
 	s->built = NULL;
 	unfilter(&s->colour);
 	if (s->map)

@@ -38,7 +38,7 @@ void looks_remember(struct lowering *l, const void *key, void *state)
 static const struct texture_spec *spec_of_layers(
 	struct lowering *l, const struct layer_state *layers, size_t count)
 {
-	struct texture_spec *spec = ARENA_NEW(l->arena, struct texture_spec);
+	struct texture_spec *spec = ARENA_NEW(l->states, struct texture_spec);
 	spec->count = count;
 	spec->layers = layers;
 	return spec;
@@ -47,7 +47,7 @@ static const struct texture_spec *spec_of_layers(
 /* A copy whose layers may be changed. */
 static struct layer_state *copy_layers(struct lowering *l, const struct texture_spec *spec)
 {
-	return arena_copy(l->arena, spec->layers, spec->count * sizeof *spec->layers);
+	return arena_copy(l->states, spec->layers, spec->count * sizeof *spec->layers);
 }
 
 /* Whether the texture looks different in another place. (A plain pigment does not, but keeps its
@@ -69,8 +69,8 @@ static const struct texture_spec *spec_moved(
 {
 	if (from->patterned) {
 		struct patterned_state *s =
-			arena_copy(l->arena, from->patterned, sizeof *from->patterned);
-		struct texture_spec *spec = ARENA_NEW(l->arena, struct texture_spec);
+			arena_copy(l->states, from->patterned, sizeof *from->patterned);
+		struct texture_spec *spec = ARENA_NEW(l->states, struct texture_spec);
 		pattern_state_move(l, &s->pattern, t);
 		spec->patterned = s;
 		return spec;
@@ -87,8 +87,8 @@ static const struct texture_spec *spec_unscaled(struct lowering *l, const struct
 {
 	if (from->patterned) {
 		struct patterned_state *s =
-			arena_copy(l->arena, from->patterned, sizeof *from->patterned);
-		struct texture_spec *spec = ARENA_NEW(l->arena, struct texture_spec);
+			arena_copy(l->states, from->patterned, sizeof *from->patterned);
+		struct texture_spec *spec = ARENA_NEW(l->states, struct texture_spec);
 		s->keeps_length = true;
 		spec->patterned = s;
 		return spec;
@@ -150,7 +150,7 @@ const struct texture_spec *texture_layer(struct lowering *l, const struct textur
 		return above;
 	const size_t below_count = below ? below->count : 0;
 	const size_t count = below_count + above->count;
-	struct layer_state *layers = ARENA_ARRAY(l->arena, count, struct layer_state);
+	struct layer_state *layers = ARENA_ARRAY(l->states, count, struct layer_state);
 	if (below)
 		memcpy(layers, below->layers, below_count * sizeof *layers);
 	memcpy(layers + below_count, above->layers, above->count * sizeof *layers);
@@ -167,11 +167,11 @@ static const struct texture_spec *first_default(struct lowering *l)
 	struct texture_spec *spec = looks_find(l, &key);
 	if (spec)
 		return spec;
-	struct pigment_state *pigment = ARENA_NEW(l->arena, struct pigment_state);
-	struct layer_state *layer = ARENA_NEW(l->arena, struct layer_state);
+	struct pigment_state *pigment = ARENA_NEW(l->declared_states, struct pigment_state);
+	struct layer_state *layer = ARENA_NEW(l->declared_states, struct layer_state);
 	pigment->pattern = pattern_state_fresh;
 	*layer = (struct layer_state){ pigment, NULL, &finish_state_fresh };
-	spec = ARENA_NEW(l->arena, struct texture_spec);
+	spec = ARENA_NEW(l->declared_states, struct texture_spec);
 	spec->count = 1;
 	spec->layers = layer;
 	looks_remember(l, &key, spec);
@@ -206,10 +206,12 @@ static const struct texture_spec *fold_defaults(struct lowering *l, const struct
 	size_t i = count;
 	for (d = newest; i > 0; d = d->previous)
 		pending[--i] = d;
+	struct arena *const before = lowering_keep(l);
 	for (; i < count; i++) {
 		spec = default_changed(l, spec, pending[i]->node);
 		looks_remember(l, pending[i], (void *)(uintptr_t)spec);
 	}
+	l->states = before;
 	free(pending);
 	return spec;
 }
@@ -241,6 +243,7 @@ const struct texture_spec *texture_declared(struct lowering *l, const struct nod
 	const struct texture_spec *spec = looks_find(l, n);
 	if (spec)
 		return spec;
+	struct arena *const before = lowering_keep(l);
 	if (n->keyword == K_LAYERS)
 		for (const struct node *item = n->children; item; item = item->next)
 			spec = texture_layer(l, spec,
@@ -252,6 +255,7 @@ const struct texture_spec *texture_declared(struct lowering *l, const struct nod
 		spec = texture_read(l, n, default_spec(l, n->state));
 	if (!spec)
 		spec = default_spec(l, n->state);
+	l->states = before;
 	looks_remember(l, n, (void *)(uintptr_t)spec);
 	return spec;
 }
@@ -311,7 +315,7 @@ static void build_layers(struct lowering *l, const struct texture_spec *spec, st
 		if (from->finish->subsurface)
 			lower_unsupported(l, from->finish->subsurface, "subsurface");
 		layers[i] = (struct layer){ pigment_build(l, from->pigment),
-			normal_build(l, from->normal), &from->finish->finish };
+			normal_build(l, from->normal), finish_build(l, from->finish) };
 		out->opaque |= pigment_is_opaque(layers[i].pigment);
 	}
 	out->layers = layers;
@@ -339,12 +343,12 @@ const struct texture *texture_build(struct lowering *l, const struct texture_spe
 struct texture_state *texture_state_default(struct lowering *l, const struct language_state *state)
 {
 	const struct texture_state s = state_of(default_spec(l, state));
-	return arena_copy(l->arena, &s, sizeof s);
+	return arena_copy(l->states, &s, sizeof s);
 }
 
 struct texture_state *texture_state_copy(struct lowering *l, const struct texture_state *s)
 {
-	return arena_copy(l->arena, s, sizeof *s);
+	return arena_copy(l->states, s, sizeof *s);
 }
 
 void texture_state_add(struct lowering *l, struct texture_state **state, const struct node *item)
