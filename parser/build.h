@@ -112,9 +112,10 @@ struct run {
 	unsigned braces;
 	bool closed;		  /* the last token closed the opening that was at `depth` */
 	enum quick_place next;	  /* whether the next token may begin a number */
-	enum keyword word;	  /* the last token, if it was a keyword */
+	enum keyword word;	  /* the last token, if it was a keyword that is no value */
 	enum keyword word_before; /* and the one before it */
-	int token_before;	  /* the token before the last */
+	int token_before;	  /* the token before the last … */
+	span where_before;	  /* … and its place */
 	span word_span;
 	/* The result. */
 	bool accepted;
@@ -349,10 +350,25 @@ void elements_add_inner(struct parser *, struct elements *, const struct element
 
 /* Ends a run; the token that was read ahead, if any, goes back to the directive layer. */
 void run_accept(struct parser *, struct run *, bool ahead);
-/* Reports what is wrong at the last token; `expected`: what would be right, or NULL. */
-void syntax_error(struct parser *, struct run *, const char *expected);
+/* The last token, for messages: a sum that was read whole is taken back and its first token read. */
+const struct queued *run_unfold(struct parser *, struct run *);
+/* How the text calls the thing a token stands for, NULL: not by a name. */
+const char *token_name(const struct token_value *);
 
-/* grammar.y: a terminal in plain words. */
+/* -- grammar.y ---------------------------------------------------------------------------- */
+
+/* What the grammar could go on with at an error. */
+struct wanted {
+	const char *list;    /* in words, NULL: too much */
+	const bool *symbols; /* by the grammar's number of a terminal */
+};
+bool wanted_token(const struct wanted *, int token);
+/* A terminal in plain words. */
 const char *token_words(int token);
+
+/* -- syntax.c ----------------------------------------------------------------------------- */
+
+/* Reports what is wrong at the last token. */
+void syntax_error(struct parser *, struct run *, const struct wanted *);
 
 #endif

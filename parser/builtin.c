@@ -348,6 +348,15 @@ struct number builtin_list(struct parser *p, enum keyword word, size_t start, sp
 
 /* -- Geometry, through the hooks ---------------------------------------------------------- */
 
+/* The renderer could not answer. If it has said why there is nothing to add. */
+static void report_unanswered(struct parser *p, span where, const char *what)
+{
+	if (diag_errors(p->diag))
+		p->failed = true;
+	else
+		parser_error(p, where, "not supported yet: %s", what);
+}
+
 struct number builtin_extent(
 	struct parser *p, enum keyword word, struct reference object, span where)
 {
@@ -357,11 +366,13 @@ struct number builtin_extent(
 		if (word == K_MIN_EXTENT)
 			parser_error(p, where, "min_extent needs an object");
 		else if (!hooks->image_size || !hooks->image_size(hooks->user, object.node, hi))
-			parser_error(p, where, "not supported yet: max_extent of this pigment");
+			report_unanswered(p, where, "max_extent of this pigment");
 		return number_vector(hi[0], hi[1], hi[2]);
 	}
 	if (!hooks->extent || !hooks->extent(hooks->user, object.node, lo, hi))
-		parser_error(p, where, "not supported yet: %s of this object", keyword_name(word));
+		report_unanswered(p, where,
+			word == K_MIN_EXTENT ? "min_extent of this object"
+					     : "max_extent of this object");
 	const double *r = word == K_MIN_EXTENT ? lo : hi;
 	return number_vector(r[0], r[1], r[2]);
 }
@@ -374,7 +385,7 @@ struct number builtin_inside(
 	bool answer = false;
 	number_to_vector(p, at, 3, where, point);
 	if (!hooks->inside || !hooks->inside(hooks->user, object.node, point, &answer))
-		parser_error(p, where, "not supported yet: inside() of this object");
+		report_unanswered(p, where, "inside() of this object");
 	return number_float(answer);
 }
 
@@ -388,7 +399,7 @@ struct number builtin_trace(struct parser *p, struct reference object, struct nu
 	number_to_vector(p, direction, 3, where, to);
 	if (!hooks->trace ||
 		!hooks->trace(hooks->user, object.node, from, to, point, normal, &found))
-		parser_error(p, where, "not supported yet: trace() of this object");
+		report_unanswered(p, where, "trace() of this object");
 	if (normal_symbol) {
 		const struct value value = { .kind = VALUE_NUMBER,
 			.number = found ? number_vector(normal[0], normal[1], normal[2])
@@ -449,8 +460,8 @@ struct number builtin_call(struct parser *p, struct callee callee, size_t start,
 				p, g->args[start + i].number, g->args[start + i].span);
 		if (!p->failed && (!hooks->call || !hooks->call(hooks->user, function, arguments,
 							   result, &terms)))
-			parser_error(p, where,
-				"not supported yet: calling a function while the scene is read");
+			report_unanswered(
+				p, where, "calling this function while the scene is read");
 	}
 	g->arg_count = start;
 	struct number out = { .terms = (uint8_t)terms };

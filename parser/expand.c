@@ -646,6 +646,13 @@ bool expand_plain_vector(struct parser *p, struct number *number, span *last)
 	return true;
 }
 
+void expand_back(struct parser *p, span where)
+{
+	struct frame *f = top_frame(p->expand);
+	while (f->position && f->tokens[f->position - 1].offset >= where.offset)
+		f->position--;
+}
+
 void expand_unread(struct parser *p, int token, const struct token_value *v, span where)
 {
 	struct expand *x = p->expand;
@@ -718,6 +725,12 @@ static enum looked look(struct parser *p, int token)
 	return LOOKED_YES;
 }
 
+static bool is_declared(const void *context, const struct name *name)
+{
+	(void)context;
+	return name->binding != NULL;
+}
+
 bool expect(struct parser *p, int token, const char *what)
 {
 	if (look(p, token) == LOOKED_YES)
@@ -728,7 +741,7 @@ bool expect(struct parser *p, int token, const char *what)
 	if (found == token && !p->failed)
 		return true;
 	if (found == T_UNDECLARED)
-		parser_error_undeclared(p, where, v.name);
+		parser_error_undeclared(p, where, v.name, is_declared, NULL);
 	parser_error(p, where, "expected %s, found %s", what, token_describe(p, found, &v));
 	return false;
 }

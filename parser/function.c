@@ -7,6 +7,9 @@
  * name. A list without them leaves them 0.
  */
 #include "parser/build.h"
+#include "parser/expand.h"
+
+#include "grammar.tab.h"
 
 #include <string.h>
 
@@ -205,12 +208,23 @@ static bool find_name(const struct function_scope *s, const char *name, unsigned
 	return false;
 }
 
+/* Whether a name could stand in the body of a function: a parameter, a float, something to call. */
+static bool fits_in_function(const void *context, const struct name *name)
+{
+	(void)context;
+	if (name->hidden || !name->binding)
+		return name->hidden;
+	const int token = value_terminal(name->binding->slot);
+	return token == T_NUMBER || token == T_FUNCTION || token == T_VECTOR_FUNCTION ||
+	       token == T_MACRO;
+}
+
 const struct expr *expr_name(struct parser *p, const char *name, span where)
 {
 	unsigned index;
 	if (find_name(p->grammar->scope, name, &index))
 		return parameter(p, index, where);
-	parser_error_undeclared(p, where, name);
+	parser_error_undeclared(p, where, name, fits_in_function, NULL);
 	return expr_constant(p, 0, where);
 }
 

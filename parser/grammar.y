@@ -2211,17 +2211,27 @@ const char *token_words(int token)
 	return words;
 }
 
-/* Says what would have been right, if that is short to say. */
+bool wanted_token(const struct wanted *wanted, int token)
+{
+	return wanted->symbols[YYTRANSLATE(token)];
+}
+
+/* Says what would have been right, in words if those are few. */
 static int yyreport_syntax_error(const yypcontext_t *context, struct parser *p, struct run *run)
 {
-	enum { SHORT_LIST = 5 };
-	yysymbol_kind_t expected[SHORT_LIST];
-	const int n = yypcontext_expected_tokens(context, expected, SHORT_LIST);
-	const char *list = NULL;
-	for (int i = 0; i < n; i++)
-		list = i == 0 ? yysymbol_name(expected[i])
-			      : arena_printf(p->arena, "%s%s%s", list, i + 1 < n ? ", " : " or ",
-					yysymbol_name(expected[i]));
-	syntax_error(p, run, list);
+	enum { FEW = 4 };
+	yysymbol_kind_t expected[YYNTOKENS];
+	bool symbols[YYNTOKENS] = { false };
+	struct wanted wanted = { .symbols = symbols };
+	const int n = yypcontext_expected_tokens(context, expected, YYNTOKENS);
+	for (int i = 0; i < n; i++) {
+		const char *name = yysymbol_name(expected[i]);
+		symbols[expected[i]] = true;
+		if (n <= FEW)
+			wanted.list = i == 0 ? name
+					     : arena_printf(p->arena, "%s%s%s", wanted.list,
+						       i + 1 < n ? ", " : " or ", name);
+	}
+	syntax_error(p, run, &wanted);
 	return 0;
 }

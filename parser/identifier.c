@@ -43,7 +43,7 @@ struct value *identifier_element(
 	for (unsigned d = 0; d < a->dimensions; d++) {
 		const struct raw_token *raw = raw_peek(p);
 		const span bracket = raw_span(p);
-		double f;
+		double subscript;
 		size_t index;
 		if (!raw || raw->kind != '[') {
 			parser_error(p, bracket, "array '%s' needs %u subscripts, found %u", name,
@@ -51,41 +51,35 @@ struct value *identifier_element(
 			return NULL;
 		}
 		raw_take(p);
-		if (!read_subscript(p, &f) ||
-			!identifier_index(p, f, a->size[d], name, bracket, &index))
+		if (!read_subscript(p, &subscript) ||
+			!identifier_index(p, subscript, a->size[d], name, bracket, &index))
 			return NULL;
 		at = at * a->size[d] + index;
-		*where = span_join(*where, bracket);
+		const struct frame *f = top_frame(p->expand);
+		*where = span_join(*where, raw_span_at(p, &f->tokens[f->position - 1]));
 	}
 	return &a->elements[at];
 }
 
 /* -- Tokens ------------------------------------------------------------------------------- */
 
-static int value_token(const struct value *value, struct token_value *v)
+int value_terminal(const struct value *value)
 {
 	switch (value->kind) {
 	case VALUE_NONE:
 		return T_UNDECLARED;
 	case VALUE_NUMBER:
-		v->number = value->number;
 		return value->number.terms == 1 ? T_NUMBER : T_VECTOR;
 	case VALUE_COLOUR:
-		v->number = value->number;
 		return T_COLOUR;
 	case VALUE_STRING:
-		v->string = v->raw = value->string;
 		return T_STRING;
 	case VALUE_ARRAY:
 		return T_ARRAY;
 	case VALUE_NODE:
-		v->node = value->node;
-		return value->token;
 	case VALUE_FUNCTION:
-		v->function = value->function;
-		return value->token ? value->token : T_FUNCTION;
+		return value->token;
 	case VALUE_SPLINE:
-		v->spline = value->spline;
 		return T_SPLINE;
 	case VALUE_MACRO:
 		return T_MACRO;
@@ -93,6 +87,32 @@ static int value_token(const struct value *value, struct token_value *v)
 		return T_FILE;
 	}
 	return 0;
+}
+
+/* The value goes with the token. */
+static int value_token(const struct value *value, struct token_value *v)
+{
+	switch (value->kind) {
+	case VALUE_NUMBER:
+	case VALUE_COLOUR:
+		v->number = value->number;
+		break;
+	case VALUE_STRING:
+		v->string = v->raw = value->string;
+		break;
+	case VALUE_NODE:
+		v->node = value->node;
+		break;
+	case VALUE_FUNCTION:
+		v->function = value->function;
+		break;
+	case VALUE_SPLINE:
+		v->spline = value->spline;
+		break;
+	default:
+		break;
+	}
+	return value_terminal(value);
 }
 
 static void warn_deprecated(struct parser *p, struct symbol *symbol, span where)

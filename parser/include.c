@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static const char *const extensions[] = { ".inc", ".INC", NULL };
 
@@ -23,7 +24,10 @@ static const char *places(struct parser *p)
 
 static bool report_missing(struct parser *p, const char *name, span where)
 {
-	if (name[0] == '/')
+	struct stat info;
+	if (!stat(name, &info) && S_ISDIR(info.st_mode))
+		parser_error(p, where, "'%s' is a folder: an include file is wanted", name);
+	else if (name[0] == '/')
 		parser_error(p, where, "include file '%s' not found", name);
 	else
 		parser_error(

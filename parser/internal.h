@@ -15,13 +15,14 @@
 #include "base/diag.h"
 #include "base/pointer_map.h"
 #include "parser/ast.h"
+#include "parser/names.h"
 #include "parser/parser.h"
 #include "parser/token.h"
 #include "parser/value.h"
 
 enum {
 	REFERENCE_LEVELS = 4000, /* of declared values that use declared values */
-	NESTED_PARSES = 300,	 /* active at once; more is an error (checked where parses begin) */
+	NESTED_PARSES = 200,	 /* active at once; more is an error (checked where parses begin) */
 };
 
 /* How bytes above 127 in string literals are read; global_settings { charset … } sets it. */
@@ -74,8 +75,10 @@ void parser_error(struct parser *, span where, const char *format, ...)
 void parser_warning(struct parser *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
-/* The error for a word that names nothing (T_UNDECLARED), with the nearest known name. */
-void parser_error_undeclared(struct parser *, span where, const char *name);
+/* The error for a word that names nothing (T_UNDECLARED), with the nearest name that passes the
+ * test. */
+void parser_error_undeclared(
+	struct parser *, span where, const char *name, name_test *, const void *context);
 
 /* Notes after an error at `token`, if it compares: comparisons need parentheses in most places. */
 void note_comparison(struct parser *, int token, span where);

@@ -115,7 +115,8 @@ static unsigned distance(const char *a, size_t a_length, const char *b, size_t b
 	return rows[a_length % 3][b_length];
 }
 
-const char *names_nearest(const struct names *n, const char *word)
+const char *names_nearest(
+	const struct names *n, const char *word, name_test *test, const void *context)
 {
 	const size_t length = strlen(word);
 	if (length < 2 || length > WORD_MAX)
@@ -124,9 +125,9 @@ const char *names_nearest(const struct names *n, const char *word)
 	unsigned least = length < 4 ? 3 : length < 8 ? 5 : 7; /* must be less than this */
 	for (uint32_t id = 0; id < n->count; id++) {
 		const struct name *known = &n->list[id];
-		if ((!known->keyword && !known->binding) || known->length > WORD_MAX ||
-			known->length + 3 < length || known->length > length + 3 ||
-			!strcmp(known->text, word))
+		if (known->length > WORD_MAX || known->length + 3 < length ||
+			known->length > length + 3 || !strcmp(known->text, word) ||
+			!test(context, known))
 			continue;
 		const unsigned d = distance(word, length, known->text, known->length);
 		if (d < least) {

@@ -35,7 +35,9 @@ void names_finish(struct names *);
 
 /* The id of a word, entered if it is new. */
 uint32_t names_intern(struct names *, const char *text, size_t length);
-/* The word nearest in spelling among the reserved and the declared ones, NULL if none is near. */
-const char *names_nearest(const struct names *, const char *word);
+/* Whether a name could stand at some place. */
+typedef bool name_test(const void *context, const struct name *);
+/* The word nearest in spelling among those that pass the test, NULL if none is near. */
+const char *names_nearest(const struct names *, const char *word, name_test *, const void *context);
 
 #endif

@@ -165,8 +165,12 @@ struct number number_select(struct parser *p, struct number n, enum keyword comp
 		return n;
 	}
 	if (needed > n.terms) {
-		parser_error(p, where, "a value of %u component%s has no .%s", n.terms,
-			is_float ? "" : "s", keyword_name(component));
+		if (is_float)
+			parser_error(p, where, "a float has no component %s: it is no vector",
+				keyword_name(component));
+		else
+			parser_error(p, where, "a vector of %u components has no component %s",
+				n.terms, keyword_name(component));
 		return number_float(0);
 	}
 	n.v[0] = i == 5 ? 0.297 * n.v[0] + 0.589 * n.v[1] + 0.114 * n.v[2] : n.v[i];

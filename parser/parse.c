@@ -52,9 +52,14 @@ void parser_warning(struct parser *p, span where, const char *format, ...)
 	diag_warning(p->diag, where, "%s", text);
 }
 
-void parser_error_undeclared(struct parser *p, span where, const char *name)
+void parser_error_undeclared(
+	struct parser *p, span where, const char *name, name_test *test, const void *context)
 {
-	const char *nearest = p->failed ? NULL : names_nearest(&p->expand->names, name);
+	struct names *names = &p->expand->names;
+	const struct symbol *symbol = names->list[names_intern(names, name, strlen(name))].binding;
+	if (symbol && symbol->entered)
+		parser_error(p, where, "'%s' is used in its own declaration", name);
+	const char *nearest = p->failed ? NULL : names_nearest(names, name, test, context);
 	if (nearest)
 		parser_error(
 			p, where, "undeclared identifier '%s'; did you mean '%s'?", name, nearest);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Between the directive layer and the grammar: delivers the tokens of one run
- * with the small values the grammar keeps, remembers open brackets for
- * messages, and says in plain words what is wrong at a syntax error.
+ * with the small values the grammar keeps, and remembers open brackets for
+ * messages (syntax.c).
  *
  * Numbers inside brackets, the bulk of every large scene, are read whole by the
  * short way (quick.c) where that can be, and reach the grammar as one T_SUM.
@@ -55,6 +55,13 @@ static void close_bracket(struct parser *p, struct run *run)
 	p->grammar->opening_top = run->base + run->depth;
 }
 
+/* Words that are a value themselves: axes, and constants, which come as numbers. */
+static bool is_constant(int token)
+{
+	return token == T_NUMBER || token == KW_X || token == KW_Y || token == KW_Z ||
+	       token == KW_U || token == KW_V || token == KW_T;
+}
+
 /* Whether the token behind this one may begin a number. Not among the parameters of a function, which
  * may be called x. */
 static enum quick_place place_behind(
@@ -70,16 +77,11 @@ static enum quick_place place_behind(
 		return NEXT_ANY;
 	case T_SUM:
 		return NEXT_AFTER_SUM;
-	case KW_X:
-	case KW_Y:
-	case KW_Z:
-	case KW_U:
-	case KW_V:
-	case KW_T:
 	case KW_MATRIX:
-	case T_NUMBER: /* some constants have a keyword, too */
 		return NEXT_NONE;
 	default:
+		if (is_constant(t->token))
+			return NEXT_NONE;
 		return t->value.keyword != K_NONE && run->token_before != '.' ? NEXT_AFTER_WORD
 									      : NEXT_NONE;
 	}
@@ -109,7 +111,7 @@ static void note_token(struct parser *p, struct run *run, const struct queued *t
 		break;
 	}
 	run->word_before = run->word;
-	run->word = t->value.keyword;
+	run->word = is_constant(t->token) ? K_NONE : t->value.keyword;
 	run->word_span = t->where;
 	run->next = place_behind(p, run, t);
 }
@@ -124,18 +126,23 @@ static int fetch(struct parser *p, struct queued *t)
 	return t->token;
 }
 
-static struct queued *next_token(struct parser *p, struct run *run)
+static bool next_sum(struct parser *p, struct run *run)
+{
+	struct queued *t = &run->present;
+	if (run->next == NEXT_NONE || p->grammar->scope ||
+		!quick_sum(p, run->next, &t->value.number, &t->where))
+		return false;
+	t->token = T_SUM;
+	t->value.keyword = K_NONE;
+	t->value.symbol = NULL;
+	t->value.name = NULL;
+	return true;
+}
+
+static void next_token(struct parser *p, struct run *run)
 {
 	struct queued *t = &run->present;
 	span last;
-	if (run->next != NEXT_NONE && !p->grammar->scope &&
-		quick_sum(p, run->next, &t->value.number, &t->where)) {
-		t->token = T_SUM;
-		t->value.keyword = K_NONE;
-		t->value.symbol = NULL;
-		t->value.name = NULL;
-		return t;
-	}
 	/* Only inside braces, elsewhere the '<' may have to be handed back; and not in the
 	 * expressions of functions, where it may mean "less than": min(x<1, 2>y). */
 	if (fetch(p, t) == '<' && run->braces && !p->grammar->scope &&
@@ -143,12 +150,20 @@ static struct queued *next_token(struct parser *p, struct run *run)
 		t->token = T_VECTOR;
 		t->where = span_join(t->where, last);
 	}
-	return t;
+}
+
+const struct queued *run_unfold(struct parser *p, struct run *run)
+{
+	if (run->last->token == T_SUM) {
+		expand_back(p, run->last->where);
+		fetch(p, &run->present);
+	}
+	return run->last;
 }
 
 /* -- Values of tokens --------------------------------------------------------------------- */
 
-static const char *token_name(const struct token_value *v)
+const char *token_name(const struct token_value *v)
 {
 	return v->symbol ? symbol_name(v->symbol) : v->name;
 }
@@ -202,7 +217,10 @@ int grammar_lex(GRAMMAR_STYPE *value, span *where, struct parser *p, struct run 
 		return start;
 	}
 	run->token_before = run->last ? run->last->token : 0;
-	struct queued *t = next_token(p, run);
+	run->where_before = run->present.where;
+	struct queued *t = &run->present;
+	if (!next_sum(p, run))
+		next_token(p, run);
 	if (p->failed)
 		t->token = 0;
 	note_token(p, run, t);
@@ -217,160 +235,4 @@ void run_accept(struct parser *p, struct run *run, bool ahead)
 	run->accepted = true;
 	if (ahead && run->last && !p->failed)
 		expand_unread(p, run->last->token, &run->last->value, run->last->where);
-}
-
-/* -- Messages ----------------------------------------------------------------------------- */
-
-static const char *closing(int token)
-{
-	return token == '{' ? "}" : token == '(' ? ")" : "]";
-}
-
-/* Without the article. */
-static const char *bare_words(int token)
-{
-	const char *words = token_words(token);
-	return strncmp(words, "a ", 2) == 0    ? words + 2
-	       : strncmp(words, "an ", 3) == 0 ? words + 3
-					       : words;
-}
-
-static const char *found_words(struct parser *p, const struct queued *t)
-{
-	switch (t->token) {
-	case 0:
-		return "the end of the text";
-	case T_NUMBER:
-		return token_name(&t->value) && t->value.symbol
-			       ? arena_printf(p->arena, "float '%s'", token_name(&t->value))
-			       : "number";
-	case T_SUM:
-		return t->value.number.terms == 1 ? "number" : "vector";
-	case T_HASH:
-		return "directive";
-	default:
-		break;
-	}
-	if (t->token > ' ' && t->token < 127)
-		return arena_printf(p->arena, "'%c'", t->token);
-	if (t->value.keyword != K_NONE)
-		return arena_printf(p->arena, "'%s'", keyword_name(t->value.keyword));
-	if (t->value.symbol)
-		return arena_printf(
-			p->arena, "%s '%s'", bare_words(t->token), symbol_name(t->value.symbol));
-	return bare_words(t->token);
-}
-
-/* The statement whose block is innermost, or NULL. */
-static const struct opening *innermost(const struct parser *p, const struct run *run)
-{
-	return run->depth ? &p->grammar->openings[run->base + run->depth - 1] : NULL;
-}
-
-static bool is_closing(int token)
-{
-	return token == '}' || token == ')' || token == ']';
-}
-
-void note_comparison(struct parser *p, int token, span where)
-{
-	if (token == T_LE || token == T_GE || token == T_NE || token == '<' || token == '>' ||
-		token == '=' || token == '&' || token == '|' || token == '?')
-		diag_note(p->diag, where, "a comparison needs parentheses here: (a > b)");
-}
-
-/* What a run is to read, by its start token. */
-static const char *wanted(int start_token)
-{
-	switch (start_token) {
-	case T_START_DECLARED:
-		return "a value";
-	case T_START_STRING:
-		return "a string";
-	case T_START_FLOAT:
-		return "a float";
-	case T_START_CONDITION:
-		return "a condition";
-	default:
-		return NULL;
-	}
-}
-
-static bool ends_operand(int token)
-{
-	return token == T_SUM || token == T_NUMBER || token == T_VECTOR || token == T_COLOUR ||
-	       token == T_STRING || token == ')' || token == '>';
-}
-
-/* Says what would be right where a habit from another language, or a comparison where only sums are
- * read, is the likely cause. */
-static void hint(struct parser *p, const struct run *run, const struct queued *t)
-{
-	const int token = t->token, before = run->token_before;
-	const bool doubled = token == before && (token == '=' || token == '&' || token == '|');
-	if (doubled)
-		diag_note(
-			p->diag, t->where, "the operator is '%c', not '%c%c'", token, token, token);
-	else if (token == ')' && before == T_STRING)
-		diag_note(p->diag, t->where, "a string can only be compared here: (S = \"x\")");
-	else if (token == '+' && before == T_STRING)
-		diag_note(p->diag, t->where, "strings are joined by concat(S, T)");
-	else if (t->value.keyword >= K_RGB && t->value.keyword <= K_RGBT && !ends_operand(before))
-		diag_note(p->diag, t->where,
-			"a colour in an expression must be declared: #declare C = rgb 1;");
-	else if (token == ';' && run->start_token == T_START_SCENE)
-		diag_note(p->diag, t->where, "a ';' ends directives only, such as #declare");
-	else if (token != '<' && ends_operand(before))
-		note_comparison(p, token, t->where);
-}
-
-void syntax_error(struct parser *p, struct run *run, const char *expected)
-{
-	if (p->failed || !run->last)
-		return;
-	const struct queued *t = run->last;
-	if (t->token == T_UNDECLARED && run->token_before == '.') {
-		parser_error(p, t->where,
-			"'%s' is no component: there are x y z t, u v and red green blue filter "
-			"transmit gray",
-			t->value.name);
-		return;
-	}
-	if (!expected && !run->token_before)
-		expected = wanted(run->start_token);
-	if (t->token == T_UNDECLARED) {
-		parser_error_undeclared(p, t->where, t->value.name);
-		return;
-	}
-	/* A closing bracket that does not fit has already been taken off the stack. */
-	const struct opening *open =
-		run->closed ? &p->grammar->openings[run->base + run->depth] : innermost(p, run);
-	const char *found = found_words(p, t);
-	if (t->token == 0 && open) {
-		const bool named = open->keyword != K_NONE;
-		const char *what = named ? keyword_name(open->keyword)
-					 : arena_printf(p->arena, "'%c'", open->token);
-		parser_error(p, t->where, "missing %s for %s", closing(open->token), what);
-		diag_note(p->diag, named ? open->word : open->where, "%s is opened here", what);
-		return;
-	}
-	const bool named = open && open->keyword != K_NONE;
-	const char *in = named ? arena_printf(p->arena, " in %s", keyword_name(open->keyword)) : "";
-	if (run->word_before != K_NONE)
-		in = arena_printf(p->arena, " behind %s%s", keyword_name(run->word_before), in);
-	if (expected)
-		parser_error(p, t->where, "unexpected %s%s: expected %s", found, in, expected);
-	else
-		parser_error(p, t->where, "unexpected %s%s", found, in);
-	if (open && is_closing(t->token) && closing(open->token)[0] != t->token)
-		diag_note(p->diag, open->where, "the %c is still open", open->token);
-	hint(p, run, t);
-}
-
-void grammar_error(const span *, struct parser *, struct run *, const char *);
-void grammar_error(const span *where, struct parser *p, struct run *run, const char *message)
-{
-	(void)run;
-	if (!p->failed) /* "memory exhausted": nesting too deep */
-		parser_error(p, *where, "too deeply nested here (%s)", message);
 }

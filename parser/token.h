@@ -56,6 +56,8 @@ struct token_value {
 int expand_next(struct parser *, struct token_value *, span *);
 /* Hands a token back; the next expand_next returns it again. */
 void expand_unread(struct parser *, int token, const struct token_value *, span);
+/* Goes back, in the text being read, to the token that begins at a place. */
+void expand_back(struct parser *, span where);
 /* Behind a '<': reads `1, -2, 3 >` if nothing but numbers, signs and commas stands there, and says
  * where the '>' is. Only a short cut. */
 bool expand_plain_vector(struct parser *, struct number *, span *last);

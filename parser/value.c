@@ -90,12 +90,18 @@ void elements_add_inner(
 	add(p, e, (struct element){ .inner = inner, .where = where });
 }
 
+enum { LARGEST_ARRAY = 100000000 };
+
 static size_t dimension(struct parser *p, const struct arg *arg)
 {
 	const double size = number_to_float(p, arg->number, arg->span) + 1e-10;
-	if (size >= 1 && size < 1e9)
+	if (size >= 1 && size < LARGEST_ARRAY + 1.0)
 		return (size_t)size;
-	parser_error(p, arg->span, "the size of an array must be 1 or more");
+	if (size >= 1)
+		parser_error(p, arg->span, "an array has at most %d elements, not %g",
+			LARGEST_ARRAY, size);
+	else
+		parser_error(p, arg->span, "the size of an array must be 1 or more, not %g", size);
 	return 1;
 }
 
@@ -129,7 +135,6 @@ static void fill(struct parser *p, struct array *a, unsigned d, size_t at,
 struct value value_array(
 	struct parser *p, size_t start, span dims, const struct elements *elements, span where)
 {
-	enum { LARGEST = 100000000 };
 	struct grammar *g = p->grammar;
 	struct array *a = ARENA_NEW(p->arena, struct array);
 	const size_t dimensions = g->arg_count - start;
@@ -139,8 +144,9 @@ struct value value_array(
 	for (size_t i = 0; i < dimensions && i < 5; i++) {
 		a->size[a->dimensions] = dimension(p, &g->args[start + i]);
 		a->count *= a->size[a->dimensions++];
-		if (a->count > LARGEST) {
-			parser_error(p, dims, "the array is too large");
+		if (a->count > LARGEST_ARRAY) {
+			parser_error(p, dims, "an array has at most %d elements, not %g",
+				LARGEST_ARRAY, (double)a->count);
 			a->count = 1;
 		}
 	}

@@ -22,7 +22,7 @@ enum value_kind {
 
 struct value {
 	enum value_kind kind;
-	/* VALUE_NODE: the terminal the identifier becomes (T_OBJECT, T_TEXTURE, …). */
+	/* VALUE_NODE, VALUE_FUNCTION: the terminal the identifier becomes (T_OBJECT, …). */
 	int token;
 	union {
 		struct number number;
@@ -35,6 +35,9 @@ struct value {
 		struct scene_file *file;
 	};
 };
+
+/* The terminal of the grammar that an identifier of such a value becomes. */
+int value_terminal(const struct value *);
 
 /* Row-major, last subscript fastest. Elements are VALUE_NONE until assigned; all assigned elements
  * have one kind (and, for nodes, one token). */

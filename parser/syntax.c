@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Says in plain words what is wrong where the grammar cannot go on: what was
+ * found, in which statement, what would be right, and, for the usual slips, how
+ * to write it.
+ */
+#include "parser/build.h"
+#include "parser/expand.h"
+
+#include "grammar.tab.h"
+
+#include <string.h>
+
+/* -- Words -------------------------------------------------------------------------------- */
+
+static const char *closing(int token)
+{
+	return token == '{' ? "}" : token == '(' ? ")" : "]";
+}
+
+static bool is_opening(int token)
+{
+	return token == '{' || token == '(' || token == '[';
+}
+
+static bool is_closing(int token)
+{
+	return token == '}' || token == ')' || token == ']';
+}
+
+/* Whether a token ends something that an operator could follow. */
+static bool ends_operand(int token)
+{
+	return token == T_SUM || token == T_NUMBER || token == T_VECTOR || token == T_COLOUR ||
+	       token == T_STRING || token == ')' || token == '>';
+}
+
+/* Without the article. */
+static const char *bare_words(int token)
+{
+	const char *words = token_words(token);
+	return strncmp(words, "a ", 2) == 0    ? words + 2
+	       : strncmp(words, "an ", 3) == 0 ? words + 3
+					       : words;
+}
+
+static const char *found_words(struct parser *p, const struct run *run, const struct queued *t)
+{
+	switch (t->token) {
+	case 0:
+		return "the end of the text";
+	case T_NUMBER:
+		return token_name(&t->value) && t->value.symbol
+			       ? arena_printf(p->arena, "float '%s'", token_name(&t->value))
+			       : "number";
+	case T_HASH:
+		return "directive";
+	case '<':
+		return ends_operand(run->token_before) ? "'<'" : "vector";
+	default:
+		break;
+	}
+	if (t->token > ' ' && t->token < 127)
+		return arena_printf(p->arena, "'%c'", t->token);
+	if (t->value.keyword != K_NONE)
+		return arena_printf(p->arena, "'%s'", keyword_name(t->value.keyword));
+	if (t->value.symbol)
+		return arena_printf(
+			p->arena, "%s '%s'", bare_words(t->token), symbol_name(t->value.symbol));
+	return bare_words(t->token);
+}
+
+/* The same in the middle of a sentence. */
+static const char *found_phrase(struct parser *p, const struct run *run, const struct queued *t)
+{
+	const char *words = found_words(p, run, t);
+	if (t->token == 0 || *words == '\'')
+		return words;
+	return arena_printf(p->arena, "%s %s", strchr("aeiou", *words) ? "an" : "a", words);
+}
+
+/* -- Names -------------------------------------------------------------------------------- */
+
+/* Whether the grammar could go on with what a name stands for. An element of an array may be
+ * anything, and so may what a macro leaves. */
+static bool name_fits(const void *context, const struct name *name)
+{
+	const struct wanted *wanted = context;
+	if (name->keyword != K_NONE)
+		return wanted_token(wanted, keyword_token[name->keyword]);
+	if (name->hidden || !name->binding)
+		return false;
+	const int token = value_terminal(name->binding->slot);
+	return token == T_MACRO || token == T_ARRAY || wanted_token(wanted, token);
+}
+
+/* Behind a complete item the grammar has already settled for its end when it meets an error, and
+ * would go on with the closing brace only: there any word of a statement may have been meant. */
+static bool name_fits_in_block(const void *context, const struct name *name)
+{
+	(void)context;
+	return name->keyword != K_NONE || name->binding;
+}
+
+static void report_name(
+	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
+{
+	const struct queued *t = run->last;
+	const bool in_block = open && open->token == '{' && wanted_token(w, '}') &&
+			      !names_nearest(&p->expand->names, t->value.name, name_fits, w);
+	if (run->token_before == '.')
+		parser_error(p, t->where,
+			"'%s' is no component: there are x y z t, u v and red green blue filter "
+			"transmit gray",
+			t->value.name);
+	else
+		parser_error_undeclared(
+			p, t->where, t->value.name, in_block ? name_fits_in_block : name_fits, w);
+}
+
+/* -- Brackets ----------------------------------------------------------------------------- */
+
+/* The bracket that the token stands in, or closes wrongly; NULL: none. */
+static const struct opening *bracket_around(
+	const struct parser *p, const struct run *run, const struct queued *t)
+{
+	const struct opening *openings = p->grammar->openings + run->base;
+	const size_t depth = is_opening(t->token) ? run->depth - 1
+			     : run->closed	  ? run->depth + 1
+						  : run->depth;
+	return depth ? &openings[depth - 1] : NULL;
+}
+
+static void report_open(struct parser *p, const struct opening *open, span where)
+{
+	const bool named = open->keyword != K_NONE;
+	const char *what =
+		named ? keyword_name(open->keyword) : arena_printf(p->arena, "'%c'", open->token);
+	parser_error(p, where, "missing %s for %s", closing(open->token), what);
+	diag_note(p->diag, named ? open->word : open->where, "%s is opened here", what);
+}
+
+/* -- Kinds of values ---------------------------------------------------------------------- */
+
+/* What a run is to read, by its start token. */
+static const char *start_words(int start_token)
+{
+	switch (start_token) {
+	case T_START_DECLARED:
+		return "a value";
+	case T_START_STRING:
+		return "a string";
+	case T_START_FLOAT:
+		return "a float";
+	case T_START_CONDITION:
+		return "a condition";
+	default:
+		return NULL;
+	}
+}
+
+static bool takes_vectors(enum keyword word)
+{
+	return word == K_VLENGTH || word == K_VDOT || word == K_VCROSS || word == K_VNORMALIZE ||
+	       word == K_VROTATE || word == K_VAXIS_ROTATE || word == K_VTURBULENCE ||
+	       word == K_VSTR || word == K_TRACE || word == K_INSIDE;
+}
+
+/* The kind of value that must stand here, behind a word or, if so, in the brackets of a function.
+ * NULL: another thing, or more than one. */
+static const char *kind_wanted(const struct wanted *w, enum keyword word, bool function)
+{
+	const bool number = wanted_token(w, T_NUMBER), string = wanted_token(w, T_STRING);
+	if (number == string)
+		return NULL;
+	return string				  ? "a string"
+	       : function && !takes_vectors(word) ? "a number"
+						  : "a number or a vector";
+}
+
+/* The word whose argument the token would be. */
+static enum keyword argument_of(const struct run *run, const struct opening *open)
+{
+	if (run->word_before != K_NONE)
+		return run->word_before;
+	return open && open->token == '(' ? open->keyword : K_NONE;
+}
+
+/* A string where a number must stand, and the like. False: it is something else. */
+static bool report_kind(
+	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
+{
+	const struct queued *t = run->last;
+	const int token = t->token;
+	const enum keyword word = argument_of(run, open);
+	if (word == K_NONE)
+		return false;
+	const char *kind = kind_wanted(w, word, word != run->word_before);
+	/* Only a comparison could follow: a string was read as the argument. */
+	if (wanted_token(w, T_LE) && !wanted_token(w, '+') && is_closing(token)) {
+		parser_error(p, run->where_before, "%s needs a number, found a string",
+			keyword_name(word));
+		return true;
+	}
+	const bool empty = token == ')' && (run->token_before == '(' || run->token_before == ',');
+	const bool sign =
+		(token == '+' || token == '-' || token == '!') && !ends_operand(run->token_before);
+	if (!kind || (!empty && !sign && token != '(' && token != '<' && token < 127))
+		return false;
+	parser_error(p, t->where, "%s needs %s, found %s", keyword_name(word), kind,
+		empty ? "nothing" : found_phrase(p, run, t));
+	return true;
+}
+
+/* What only ordinary expressions have, in the body of a function. */
+static bool report_in_function(struct parser *p, const struct run *run, const struct wanted *w)
+{
+	const struct queued *t = run->last;
+	if (!p->grammar->scope || !wanted_token(w, T_UNDECLARED) ||
+		(t->value.keyword == K_NONE && !t->value.symbol))
+		return false;
+	parser_error(p, t->where, "%s cannot be used in a function%s", found_words(p, run, t),
+		t->value.symbol ? ": only floats can" : "");
+	if (t->token == T_VECTOR || t->token == T_COLOUR)
+		diag_note(p->diag, t->where, "declare a float before: #declare X = %s.x;",
+			token_name(&t->value));
+	return true;
+}
+
+/* -- Hints -------------------------------------------------------------------------------- */
+
+void note_comparison(struct parser *p, int token, span where)
+{
+	if (token == T_LE || token == T_GE || token == T_NE || token == '<' || token == '>' ||
+		token == '=' || token == '&' || token == '|' || token == '?')
+		diag_note(p->diag, where, "a comparison needs parentheses here: (a > b)");
+}
+
+/* Says what would be right where a habit from another language, or a comparison where only sums are
+ * read, is the likely cause. */
+static void hint(struct parser *p, const struct run *run, const struct queued *t)
+{
+	const int token = t->token, before = run->token_before;
+	const bool doubled = token == before && (token == '=' || token == '&' || token == '|');
+	if (doubled)
+		diag_note(
+			p->diag, t->where, "the operator is '%c', not '%c%c'", token, token, token);
+	else if (token == ')' && before == T_STRING)
+		diag_note(p->diag, t->where, "a string can only be compared here: (S = \"x\")");
+	else if (token == '+' && before == T_STRING)
+		diag_note(p->diag, t->where, "strings are joined by concat(S, T)");
+	else if (t->value.keyword >= K_RGB && t->value.keyword <= K_RGBT && !ends_operand(before))
+		diag_note(p->diag, t->where,
+			"a colour in an expression must be declared: #declare C = rgb 1;");
+	else if (token == ';' && run->start_token == T_START_SCENE)
+		diag_note(p->diag, t->where, "a ';' ends directives only, such as #declare");
+	else if (token != '<' && ends_operand(before))
+		note_comparison(p, token, t->where);
+}
+
+/* -- The report --------------------------------------------------------------------------- */
+
+static void report_unexpected(
+	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
+{
+	const struct queued *t = run->last;
+	const char *expected = w->list, *found = found_words(p, run, t), *in = "";
+	if (!expected && !run->token_before)
+		expected = start_words(run->start_token);
+	if (!expected && wanted_token(w, T_STRING) && !wanted_token(w, T_NUMBER))
+		expected = "a string";
+	if (open && open->keyword != K_NONE)
+		in = arena_printf(p->arena, " in %s", keyword_name(open->keyword));
+	if (run->word_before != K_NONE)
+		in = arena_printf(p->arena, " behind %s%s", keyword_name(run->word_before), in);
+	if (expected)
+		parser_error(p, t->where, "unexpected %s%s: expected %s", found, in, expected);
+	else
+		parser_error(p, t->where, "unexpected %s%s", found, in);
+	if (open && is_closing(t->token) && closing(open->token)[0] != t->token)
+		diag_note(p->diag, open->where, "the %c is still open", open->token);
+	hint(p, run, t);
+}
+
+void syntax_error(struct parser *p, struct run *run, const struct wanted *w)
+{
+	if (p->failed || !run->last)
+		return;
+	const struct queued *t = run_unfold(p, run);
+	const struct opening *open = bracket_around(p, run, t);
+	if (p->failed)
+		return;
+	if (t->token == T_UNDECLARED)
+		report_name(p, run, open, w);
+	else if (t->token == 0 && open)
+		report_open(p, open, t->where);
+	else if (!report_in_function(p, run, w) && !report_kind(p, run, open, w))
+		report_unexpected(p, run, open, w);
+}
+
+void grammar_error(const span *, struct parser *, struct run *, const char *);
+void grammar_error(const span *where, struct parser *p, struct run *run, const char *message)
+{
+	(void)run;
+	if (!p->failed) /* "memory exhausted": nesting too deep */
+		parser_error(p, *where, "too deeply nested here (%s)", message);
+}

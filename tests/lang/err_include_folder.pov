@@ -1,0 +1,3 @@
+// A folder is no include file.
+#version 3.7;
+#include "/"
