@@ -20,6 +20,7 @@ enum { SCENES = 4000, STATEMENTS = 4 };
 struct writer {
 	FILE *out;
 	uint32_t state;
+	bool wild; /* vectors and errors anywhere; else mostly right */
 };
 
 static unsigned pick(struct writer *w, unsigned count)
@@ -46,21 +47,63 @@ static void put_list(struct writer *w, unsigned depth, unsigned count)
 {
 	for (unsigned i = 0; i < count; i++) {
 		if (i)
-			PUT_ONE_OF(w, ", ", ", ", ", ", ",", " "); /* commas may be left out */
+			put(w, w->wild && !pick(w, 5) ? " " : ", "); /* commas may be left out */
 		put_sum(w, depth);
 	}
 }
 
 static void put_leaf(struct writer *w)
 {
-	PUT_ONE_OF(w, "0", "1", "2", "7.5", ".5", "1e-3", "3.25", "1e300", "12345678", "F", "F",
-		"G", "V", "W4", "C", "A[1]", "A[F]", "B[0][1]", "R", "x", "y", "u", "t", "pi",
-		"clock", "yes", "off", "version", "S", "Undeclared", "M(2)", "N()", "Macro()",
-		"A[9]", "A", "Empty[0]", "rand(R)", "rand(R)");
+	if (w->wild && !pick(w, 12))
+		PUT_ONE_OF(w, "S", "Undeclared", "A[9]", "A", "Empty[0]", "A[F]");
+	else if (w->wild && !pick(w, 3))
+		PUT_ONE_OF(w, "V", "W4", "C", "x", "y", "u", "t");
+	else
+		PUT_ONE_OF(w, "0", "1", "2", "7.5", ".5", "1e-3", "3.25", "1e300", "12345678", "F",
+			"F", "G", "A[1]", "B[0][1]", "R", "pi", "clock", "yes", "off", "version",
+			"M(2)", "N()", "Macro()", "rand(R)", "rand(R)");
+}
+
+/* Something that is surely a float, if its arguments are. */
+static void put_float(struct writer *w, unsigned depth)
+{
+	switch (depth ? pick(w, 8) : 0) {
+	case 0:
+	case 1:
+	case 2:
+		put_leaf(w);
+		return;
+	case 3:
+		put(w, "(");
+		put_full(w, depth - 1);
+		break;
+	case 4:
+		PUT_ONE_OF(w, "abs(", "sin(", "int(", "floor(", "exp(", "seed(", "radians(");
+		put_full(w, depth - 1);
+		break;
+	case 5:
+		PUT_ONE_OF(w, "max(", "min(", "mod(", "vdot(", "bitwise_or(");
+		put_list(w, depth - 1, 2);
+		break;
+	case 6:
+		PUT_ONE_OF(w, "vlength(<", "(<");
+		put_list(w, depth - 1, 3);
+		PUT_ONE_OF(w, ">*2", ">");
+		put(w, ".y");
+		break;
+	default:
+		PUT_ONE_OF(w, "(V.x", "(C.gray", "(W4.t", "(V + 1).z + (F", "vlength(vcross(V, x)");
+		break;
+	}
+	put(w, ")");
 }
 
 static void put_operand(struct writer *w, unsigned depth)
 {
+	if (!w->wild) {
+		put_float(w, depth);
+		return;
+	}
 	switch (depth ? pick(w, 12) : 0) {
 	case 0:
 	case 1:
@@ -275,7 +318,7 @@ static void test_same(void **state)
 	for (uint32_t i = 0; i < SCENES; i++) {
 		char *text;
 		size_t size;
-		struct writer w = { open_memstream(&text, &size), 2654435761u * (i + 1) };
+		struct writer w = { open_memstream(&text, &size), 2654435761u * (i + 1), i % 2 };
 		put_scene(&w);
 		fclose(w.out);
 		char *quick = read_scene(text, size, false), *slow = read_scene(text, size, true);
@@ -291,7 +334,7 @@ static void test_same(void **state)
 		free(text);
 	}
 	print_message("%u of %d scenes without an error\n", good, SCENES);
-	assert_true(good > SCENES / 50);
+	assert_true(good > SCENES / 10);
 }
 
 int main(void)
