@@ -27,21 +27,22 @@ struct probe {
 
 struct hooks {
 	struct scene *scene;
-	struct ast ast; /* stands for the text read so far */
 	const struct language_state *state;
 	struct lower_options options;
 	struct lowering lowering;
 	struct pointer_map probes; /* by node */
 };
 
+static const struct language_state language_at_first = { .version = 370, .version_set = true };
+
 struct hooks *hooks_create(struct diag *diag, const struct parse_options *files)
 {
 	struct hooks *h = memory_alloc(1, sizeof *h);
-	*h = (struct hooks){ .scene = scene_create() };
-	h->ast.final = (struct language_state){ .version = 370, .version_set = true };
+	*h = (struct hooks){ .scene = scene_create(), .state = &language_at_first };
 	h->options =
 		(struct lower_options){ .width = 1, .height = 1, .quality = 9, .files = files };
-	lowering_init(&h->lowering, &h->ast, &h->options, diag, h->scene);
+	lowering_init(&h->lowering, &h->options, diag, h->scene);
+	lowering_settle(&h->lowering, h->state);
 	return h;
 }
 
@@ -68,20 +69,20 @@ static void hook_state(void *user, const struct language_state *state)
 	h->state = state;
 }
 
-/*
- * Before anything is lowered: the noise generator and the like are those in force now. Functions
- * compiled for another noise generator are forgotten.
- */
+/* What depends on the end of the text is settled for the text read so far. */
+static void settle(struct hooks *h)
+{
+	lowering_settle(&h->lowering, h->state);
+}
+
+/* Functions compiled for another noise generator are forgotten. */
 static struct lowering *lowering_now(struct hooks *h)
 {
-	if (h->state) {
-		const int before = h->scene->settings.noise_generator;
-		h->ast.final = *h->state;
-		settings_begin(&h->lowering);
-		if (h->scene->settings.noise_generator != before) {
-			pointer_map_release(&h->lowering.functions);
-			h->lowering.functions = (struct pointer_map){ 0 };
-		}
+	const int before = h->scene->settings.noise_generator;
+	settle(h);
+	if (h->scene->settings.noise_generator != before) {
+		pointer_map_release(&h->lowering.functions);
+		h->lowering.functions = (struct pointer_map){ 0 };
 	}
 	return &h->lowering;
 }
@@ -94,6 +95,7 @@ static struct probe *probe_create(struct hooks *h, const struct node *object)
 	if (!d)
 		return NULL;
 	draft_emit(&h->lowering, d, object->state);
+	settle(h);
 	lowering_forget(&h->lowering);
 	p->count = h->scene->object_count - first;
 	p->objects = memory_alloc(p->count, sizeof *p->objects);
@@ -200,6 +202,7 @@ static bool hook_call(void *user, const struct function *f, const double *argume
 {
 	struct hooks *h = user;
 	const struct program *p = lower_function(lowering_now(h), f);
+	settle(h);
 	if (!p)
 		return false;
 	program_components(p, arguments, result);

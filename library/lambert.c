@@ -128,28 +128,42 @@ static void add_tree_statistics(struct lambert_scene_stats *stats, const struct 
 	stats->accel_bytes = a.bytes;
 }
 
-/* The renderer answers the questions of the language while the text is read. */
-static const struct ast *parse(
-	const char *path, struct parse_options *files, struct diag *diag, struct arena *arena)
+/* Reading on its way from text to scene. */
+struct reading {
+	const struct lambert_scene_options *options;
+	struct diag *diag;
+	struct arena *arena, *passing; /* for the text and its tree; for the statements at hand */
+	struct lowering lowering;
+	double lower_cpu;
+};
+
+static void lower(void *user, const struct node *statements)
 {
-	struct hooks *hooks = hooks_create(diag, files);
+	struct reading *r = user;
+	const double start = cpu_seconds();
+	lower_statements(&r->lowering, statements);
+	r->lower_cpu += cpu_seconds() - start;
+}
+
+/* Text to tree; where there is much of it, statements are lowered on the way. The renderer answers
+ * the questions of the language while the text is read. */
+static const struct ast *parse(const char *path, struct parse_options *files, struct reading *r)
+{
+	struct hooks *hooks = hooks_create(r->diag, files);
 	files->hooks = hooks_table(hooks);
-	const struct ast *ast = parse_scene(path, NULL, 0, files, diag, arena);
+	const struct ast *ast = parse_scene(path, NULL, 0, files, r->diag, r->arena);
 	hooks_destroy(hooks);
 	return ast;
 }
 
-/* Text to scene; NULL after an error. */
-static struct scene *read_scene(const char *path, const struct lambert_scene_options *o,
-	struct diag *diag, struct arena *arena, struct lambert_scene_stats *stats)
+/* Text to scene; false after an error. */
+static bool read_scene(
+	const char *path, struct reading *r, struct scene *scene, struct lambert_scene_stats *stats)
 {
 	const double start = cpu_seconds();
-	struct parse_options files = parse_options_for(path, o, arena);
-	const struct ast *ast = parse(path, &files, diag, arena);
-	if (!ast)
-		return NULL;
-	const double parsed = cpu_seconds();
-	const struct lower_options lower = {
+	const struct lambert_scene_options *o = r->options;
+	struct parse_options files = parse_options_for(path, o, r->arena);
+	const struct lower_options lower_options = {
 		.width = o->width,
 		.height = o->height,
 		.quality = o->quality,
@@ -157,17 +171,21 @@ static struct scene *read_scene(const char *path, const struct lambert_scene_opt
 		.working_version = (int)o->version,
 		.files = &files,
 	};
-	struct scene *scene = scene_create();
-	if (!lower_scene(ast, &lower, diag, scene)) {
-		scene_destroy(scene);
-		return NULL;
-	}
-	stats->tokens = ast->token_count;
+	files.statements = lower;
+	files.statements_user = r;
+	files.passing = r->passing;
+	lowering_init(&r->lowering, &lower_options, r->diag, scene);
+	const struct ast *ast = parse(path, &files, r);
+	if (ast)
+		lower(r, ast->statements);
+	const bool fine = ast && lower_end(&r->lowering, &ast->final);
+	lowering_release(&r->lowering);
+	stats->tokens = ast ? ast->token_count : 0;
 	stats->objects = scene->object_count;
 	stats->lights = scene->light_count;
-	stats->parse_cpu = parsed - start;
-	stats->lower_cpu = cpu_seconds() - parsed;
-	return scene;
+	stats->parse_cpu = cpu_seconds() - start - r->lower_cpu;
+	stats->lower_cpu = r->lower_cpu;
+	return fine;
 }
 
 /* A scene may nest as deep as the parser allows, and what reads it recurses as deep. */
@@ -186,11 +204,18 @@ struct load_job {
 static void read_main(void *user)
 {
 	struct load_job *job = user;
-	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)job->options);
-	struct arena *arena = arena_create(1 << 20);
-	job->scene = read_scene(job->path, job->options, diag, arena, &job->stats);
-	arena_destroy(arena);
-	diag_destroy(diag);
+	struct reading r = { .options = job->options,
+		.diag = diag_create(forward_message, (void *)(uintptr_t)job->options),
+		.arena = arena_create(1 << 20),
+		.passing = arena_create(2 * PASSING_BYTES) };
+	job->scene = scene_create();
+	if (!read_scene(job->path, &r, job->scene, &job->stats)) {
+		scene_destroy(job->scene);
+		job->scene = NULL;
+	}
+	arena_destroy(r.passing);
+	arena_destroy(r.arena);
+	diag_destroy(r.diag);
 }
 
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
@@ -228,14 +253,15 @@ void lambert_scene_destroy(lambert_scene *s)
 
 static bool print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
 {
-	struct diag *diag = diag_create(forward_message, (void *)(uintptr_t)o);
-	struct arena *arena = arena_create(1 << 20);
-	struct parse_options files = parse_options_for(path, o, arena);
-	const struct ast *ast = parse(path, &files, diag, arena);
+	struct reading r = { .options = o,
+		.diag = diag_create(forward_message, (void *)(uintptr_t)o),
+		.arena = arena_create(1 << 20) };
+	struct parse_options files = parse_options_for(path, o, r.arena);
+	const struct ast *ast = parse(path, &files, &r);
 	if (ast)
-		ast_print_json(ast, diag, out);
-	arena_destroy(arena);
-	diag_destroy(diag);
+		ast_print_json(ast, r.diag, out);
+	arena_destroy(r.arena);
+	diag_destroy(r.diag);
 	return ast != NULL;
 }
 

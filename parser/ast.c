@@ -71,7 +71,7 @@ size_t args_push_array(
 
 struct node *node_new(struct parser *p, enum keyword keyword, span whole, span word)
 {
-	struct node *node = arena_pack(p->arena, sizeof *node);
+	struct node *node = arena_pack(p->tree, sizeof *node);
 	node->keyword = keyword;
 	node->span = whole;
 	node->word = word;
@@ -85,7 +85,7 @@ struct node *node_args(struct parser *p, enum keyword keyword, span whole, span 
 	struct node *node = node_new(p, keyword, whole, word);
 	const size_t count = g->arg_count - start;
 	if (count) {
-		struct arg *args = arena_pack(p->arena, count * sizeof *args);
+		struct arg *args = arena_pack(p->tree, count * sizeof *args);
 		node->args = memcpy(args, g->args + start, count * sizeof *args);
 		node->arg_count = (uint32_t)count;
 	}
@@ -121,11 +121,10 @@ struct node *node_block(
 
 static void count_levels(struct parser *p, const struct node *declared, span where)
 {
-	const uintptr_t levels =
-		1 + (uintptr_t)pointer_map_find(&p->reference_levels, declared);
+	const uintptr_t levels = 1 + (uintptr_t)pointer_map_find(&p->reference_levels, declared);
 	if (levels > REFERENCE_LEVELS)
-		parser_error(p, where,
-			"declared values use each other more than %d levels deep", REFERENCE_LEVELS);
+		parser_error(p, where, "declared values use each other more than %d levels deep",
+			REFERENCE_LEVELS);
 	if (levels > p->levels_read)
 		p->levels_read = levels;
 }
@@ -211,6 +210,21 @@ struct node *node_fit(struct parser *p, enum keyword keyword, span whole, span w
 		parser_error(p, word, "%s needs %u value%s, found %zu", keyword_name(keyword),
 			least, least == 1 ? "" : "s", count);
 	return node_args(p, keyword, whole, word, start);
+}
+
+/* -- Statements of the top level ---------------------------------------------------------- */
+
+struct node_list scene_add(
+	struct parser *p, struct node_list statements, struct node *statement, bool ahead)
+{
+	const struct parse_options *o = p->options;
+	const struct node_list list = list_add(statements, statement);
+	/* A token that was read ahead may be part of the next statement. */
+	if (!o->statements || ahead || p->keeps_tree || arena_used(p->tree) < PASSING_BYTES)
+		return list;
+	o->statements(o->statements_user, list.first);
+	arena_reset(p->tree);
+	return list_none();
 }
 
 /* -- Lists -------------------------------------------------------------------------------- */

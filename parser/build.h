@@ -163,6 +163,9 @@ struct node_list list_add(struct node_list, struct node *);
 struct node_list list_join(struct node_list, struct node_list);
 
 struct node_list list_none(void);
+/* A list of the statements of the scene, which may be handed over on this occasion; `ahead`: a token
+ * behind the statement has been read. */
+struct node_list scene_add(struct parser *, struct node_list, struct node *, bool ahead);
 /* The arguments from `start` up, checked: one letter each, f float, v 3-vector, 2, 4 vectors, c
  * colour, p function, s string; a ? behind a letter: may be missing. */
 struct node *node_fit(

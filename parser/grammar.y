@@ -1071,7 +1071,7 @@ transformations:
 %type <keyword> old_setting;
 scene_items:
 	  %empty { $$ = list_none(); }
-	| scene_items scene_item { $$ = list_add($1, $2); }
+	| scene_items scene_item { $$ = scene_add(p, $1, $2, yychar != GRAMMAR_EMPTY); }
 	| scene_items default_statement
 	;
 scene_item:

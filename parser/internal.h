@@ -33,7 +33,10 @@ struct grammar; /* the grammar's own state, if it needs any; created by grammar_
 
 struct parser {
 	struct diag *diag;
-	struct arena *arena;
+	struct arena *arena; /* for what may be used as long as text is read */
+	struct arena *tree;  /* for nodes: of the scene's statements, which are handed over and
+	                        forgotten, or, for declared values, `arena` */
+	bool keeps_tree;     /* something lasting refers to statements: they stay */
 	const struct parse_options *options;
 
 	/* What the text read so far has set; copied into each node made. Never written to: a

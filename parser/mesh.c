@@ -16,7 +16,7 @@ enum {
 
 static double *grow(struct parser *p, const double *old, size_t count, size_t capacity)
 {
-	double *values = ARENA_ARRAY(p->arena, capacity, double);
+	double *values = ARENA_ARRAY(p->tree, capacity, double);
 	if (count)
 		memcpy(values, old, count * sizeof *values);
 	return values;
@@ -37,7 +37,7 @@ static void reserve(struct parser *p, struct doubles *d, size_t more)
 
 struct doubles *doubles_new(struct parser *p, double expected, unsigned stride)
 {
-	struct doubles *d = ARENA_NEW(p->arena, struct doubles);
+	struct doubles *d = ARENA_NEW(p->tree, struct doubles);
 	d->stride = stride;
 	if (expected >= 1)
 		reserve(p, d,
@@ -78,7 +78,7 @@ void doubles_face(struct parser *p, struct doubles *d, struct number number, spa
 		return;
 	}
 	if (!d->extra) {
-		d->extra = ARENA_ARRAY(p->arena, d->capacity, double);
+		d->extra = ARENA_ARRAY(p->tree, d->capacity, double);
 		no_textures(d, 0);
 	}
 	d->extra[d->count - 3 + d->textures++] = number.v[0];
@@ -110,7 +110,7 @@ void doubles_face_rows(struct parser *p, struct doubles *d)
 
 struct mesh_items *mesh_items_new(struct parser *p)
 {
-	return ARENA_NEW(p->arena, struct mesh_items);
+	return ARENA_NEW(p->tree, struct mesh_items);
 }
 
 /* Writes the vectors above `start` to `out`; false: their number is wrong. */
@@ -141,7 +141,7 @@ static size_t face_size(enum keyword keyword)
 struct node *mesh_face(struct parser *p, enum keyword keyword, span whole, span word, size_t start,
 	struct node_list tail)
 {
-	double *values = ARENA_ARRAY(p->arena, 18, double);
+	double *values = ARENA_ARRAY(p->tree, 18, double);
 	take_face(p, keyword, word, start, values);
 	struct node *node = node_args(
 		p, keyword, whole, word, args_push_array(p, values, face_size(keyword), 3, whole));
@@ -167,7 +167,7 @@ struct mesh_items *mesh_add_face(struct parser *p, struct mesh_items *mesh, enum
 		struct node *node = node_new(p, keyword, word, word);
 		mesh_add(mesh, node);
 		mesh->run_node = node;
-		mesh->run_arg = ARENA_NEW(p->arena, struct arg);
+		mesh->run_arg = ARENA_NEW(p->tree, struct arg);
 		mesh->run_arg->kind = ARG_ARRAY;
 		mesh->run_arg->array.stride = 3;
 		mesh->run = (struct doubles){ .values = NULL };

@@ -33,10 +33,13 @@ static bool start_run(struct parser *p, struct run *run, int start)
 	const size_t height = g->arg_count;
 	/* A value read within a function body does not see the body's parameters. */
 	struct function_scope *scope = g->scope;
+	struct arena *const tree = p->tree;
 	g->scope = NULL;
+	p->tree = start == T_START_SCENE && p->options->statements ? p->options->passing : p->arena;
 	g->nested++;
 	const int failed = grammar_parse(p, run);
 	g->nested--;
+	p->tree = tree;
 	g->scope = scope;
 	g->arg_count = height;
 	g->opening_top = run->base;

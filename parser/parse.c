@@ -181,7 +181,9 @@ const struct ast *parse_scene(const char *path, const char *text, size_t size,
 	struct language_state *state = ARENA_NEW(arena, struct language_state);
 	state->version = options->version ? options->version : 370;
 	state->version_set = options->version_set;
-	struct parser p = { .diag = diag, .arena = arena, .options = options, .state = state };
+	struct parser p = {
+		.diag = diag, .arena = arena, .tree = arena, .options = options, .state = state
+	};
 	p.expand = expand_create(&p);
 	const struct ast *ast = parse(&p, path, text, size);
 	expand_destroy(p.expand);

@@ -62,7 +62,16 @@ struct parse_options {
 	void (*text)(void *user, enum keyword stream, const char *line); /* K_DEBUG, K_RENDER, … */
 	void *text_user;
 	struct render_hooks hooks;
+	/* For large scenes: whenever the statements of the top level have come to some size they are
+	 * handed over, in order, and forgotten; only the last of them are in the ast. They live in
+	 * `passing`, which is reset behind each call. NULL: the ast has them all. */
+	void (*statements)(void *user, const struct node *first);
+	void *statements_user;
+	struct arena *passing;
 };
+
+/* Size of the trees handed over at a time, in bytes: what a processor keeps near. */
+enum { PASSING_BYTES = 512 << 10 };
 
 /* Reads `path` (the bytes are `text` when that is not NULL) and everything it includes.
  * Errors go to `diag`; returns NULL after an error. The AST and the sources live in `arena`. */

@@ -91,7 +91,7 @@ static void gather(struct parser *p, const struct shape_form *form, size_t start
 		g->arg_count = start;
 		return;
 	}
-	double *values = ARENA_ARRAY(p->arena, found * form->tail, double);
+	double *values = ARENA_ARRAY(p->tree, found * form->tail, double);
 	for (size_t i = 0; i < found; i++) {
 		double element[5];
 		list_element(p, &g->args[start + i * per], form->tail, element);
@@ -235,7 +235,7 @@ struct node *shape_coefficients(struct parser *p, enum keyword keyword, span who
 	if (order && found != wanted)
 		parser_error(p, at, "%s needs %zu coefficients, found %zu", keyword_name(keyword),
 			wanted, found);
-	double *values = ARENA_ARRAY(p->arena, found + 1, double);
+	double *values = ARENA_ARRAY(p->tree, found + 1, double);
 	for (size_t i = 0; i < found; i++)
 		values[i] = number_to_float(p, g->args[first + i].number, g->args[first + i].span);
 	g->arg_count = first;

@@ -51,7 +51,7 @@ struct node *node_matrix(struct parser *p, span whole, span word, size_t start)
 {
 	struct grammar *g = p->grammar;
 	const size_t found = g->arg_count - start;
-	double *values = ARENA_ARRAY(p->arena, 12, double);
+	double *values = ARENA_ARRAY(p->tree, 12, double);
 	if (found != 12)
 		parser_error(p, word, "matrix needs 12 numbers, found %zu", found);
 	for (size_t i = 0; i < found && i < 12; i++)
@@ -121,6 +121,7 @@ void default_add(struct parser *p, struct node *node)
 	struct defaults *defaults = ARENA_NEW(p->arena, struct defaults);
 	defaults->previous = p->state->defaults;
 	defaults->node = node;
+	p->keeps_tree |= p->tree != p->arena;
 	parser_change_state(p)->defaults = defaults;
 }
 

@@ -89,11 +89,12 @@ void draft_emit(struct lowering *, struct draft *, const struct language_state *
 
 /* The statements of the top level (lower_camera.c, lower_atmosphere.c, lower_settings.c). */
 void lower_camera(struct lowering *, const struct node *);
+void lower_default_camera(struct lowering *, const struct defaults *);
 void lower_fog(struct lowering *, const struct node *);
 void lower_sky_sphere(struct lowering *, const struct node *);
 void lower_background(struct lowering *, const struct node *);
 void lower_global_settings(struct lowering *, const struct node *);
-/* Before the first statement: the defaults, and what the end of the text decides. */
+/* Before the first statement: the defaults. */
 void settings_begin(struct lowering *);
 
 #endif

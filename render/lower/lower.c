@@ -6,6 +6,8 @@
 
 #include "render/lower/draft.h"
 
+#include <stdlib.h>
+
 /* With this many errors the rest is likely to repeat them. */
 enum { ERRORS_MAX = 20 };
 
@@ -50,17 +52,17 @@ static void statement(struct lowering *l, const struct node *n)
 	}
 }
 
-void lowering_init(struct lowering *l, const struct ast *ast, const struct lower_options *options,
-	struct diag *diag, struct scene *scene)
+void lowering_init(struct lowering *l, const struct lower_options *options, struct diag *diag,
+	struct scene *scene)
 {
 	*l = (struct lowering){
 		.scene = scene,
 		.arena = scene->arena,
 		.diag = diag,
-		.ast = ast,
 		.options = options,
 		.statement_states = arena_create(0),
 		.declared_states = arena_create(0),
+		.wave_count = 10,
 	};
 	l->states = l->statement_states;
 	settings_begin(l);
@@ -82,34 +84,31 @@ void lowering_release(struct lowering *l)
 {
 	arena_destroy(l->statement_states);
 	arena_destroy(l->declared_states);
+	free(l->generators);
 	pointer_map_release(&l->drafts);
 	pointer_map_release(&l->functions);
 	pointer_map_release(&l->looks);
 }
 
-static bool lower_statements(struct lowering *l)
+void lower_statements(struct lowering *l, const struct node *first)
 {
-	for (const struct node *n = l->ast->statements; n; n = n->next) {
+	for (const struct node *n = first; n && !l->given_up; n = n->next) {
 		statement(l, n);
 		lowering_forget(l);
-		if (diag_errors(l->diag) >= ERRORS_MAX) {
+		l->given_up = diag_errors(l->diag) >= ERRORS_MAX;
+		if (l->given_up)
 			diag_note(l->diag, n->span, "too many errors: stopped here");
-			return false;
-		}
 	}
+}
+
+bool lower_end(struct lowering *l, const struct language_state *final)
+{
+	if (l->given_up)
+		return false;
 	if (!l->cameras)
-		lower_camera(l, NULL);
+		lower_default_camera(l, final->defaults);
+	lowering_settle(l, final);
 	if (!l->scene->object_count)
 		diag_warning(l->diag, NO_SPAN, "the scene has no objects");
 	return diag_errors(l->diag) == 0;
-}
-
-bool lower_scene(const struct ast *ast, const struct lower_options *options, struct diag *diag,
-	struct scene *scene)
-{
-	struct lowering l;
-	lowering_init(&l, ast, options, diag, scene);
-	const bool fine = lower_statements(&l);
-	lowering_release(&l);
-	return fine;
 }

@@ -30,11 +30,14 @@ struct lowering {
 	struct arena *statement_states, *declared_states;
 	struct arena *states; /* where they are made now: one of the two */
 	struct diag *diag;
-	const struct ast *ast;
 	const struct lower_options *options;
 	struct pointer_map
 		looks; /* states of pigments, normals, textures, maps made already, by node */
-	const struct wave_sources *wave_sources;
+	struct wave_sources *wave_sources; /* of all ripples and waves: filled in at the end */
+	double wave_count;		   /* number_of_waves */
+	int **generators; /* where the noise generator is to be put that holds at the end */
+	size_t generator_count, generator_room;
+	bool given_up;			       /* after too many errors */
 	struct pointer_map drafts;	       /* declared objects drafted already, by node */
 	struct pointer_map functions;	       /* compiled already, by struct function */
 	unsigned cameras;		       /* met so far */
@@ -45,20 +48,26 @@ struct lowering {
 	const struct shape_class *shapes[KEYWORD_COUNT]; /* found already */
 };
 
-/* For a scene that is still empty. */
-void lowering_init(struct lowering *, const struct ast *, const struct lower_options *,
-	struct diag *, struct scene *);
+/* Begins to lower a text to a scene that is still empty. */
+void lowering_init(struct lowering *, const struct lower_options *, struct diag *, struct scene *);
+/* Lowers statements of the top level, in their order; may be called again with the next ones. */
+void lower_statements(struct lowering *, const struct node *first);
+/* Behind the last statement: what only the end of the text decides. False after an error in any. */
+bool lower_end(struct lowering *, const struct language_state *final);
+/* Frees what lowering keeps beside the scene. */
 void lowering_release(struct lowering *);
+
+/* ---- helpers of the lower_ files ---- */
+
+/* Brings what depends on the end of the text in line with a state of the language. */
+void lowering_settle(struct lowering *, const struct language_state *);
+/* The noise generator of the end of the text will be put there. */
+void lower_late_generator(struct lowering *, int *generator);
 /* At the end of a statement: its drafts and states are not needed any more. */
 void lowering_forget(struct lowering *);
 /* States made from now on are those of something declared. Returns what to set `states` to when that
  * is read. */
 struct arena *lowering_keep(struct lowering *);
-
-/* False after an error. */
-bool lower_scene(const struct ast *, const struct lower_options *, struct diag *, struct scene *);
-
-/* ---- helpers of the lower_ files ---- */
 
 /* The number argument `index` of a node as a float, vector, colour; reports what is wrong. */
 double lower_float(struct lowering *, const struct node *, uint32_t index, const char *what);

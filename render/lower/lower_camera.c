@@ -247,11 +247,15 @@ static void place_camera(struct lowering *l, const struct node *n, const struct 
 void lower_camera(struct lowering *l, const struct node *n)
 {
 	struct camera_items c = camera_defaults;
-	if (n) {
-		read_defaults(l, n->state->defaults, &c);
-		read_items(l, n, &c);
-	} else {
-		read_defaults(l, l->ast->final.defaults, &c);
-	}
+	read_defaults(l, n->state->defaults, &c);
+	read_items(l, n, &c);
 	place_camera(l, n, &c);
+}
+
+/* Of a scene without a camera. */
+void lower_default_camera(struct lowering *l, const struct defaults *defaults)
+{
+	struct camera_items c = camera_defaults;
+	read_defaults(l, defaults, &c);
+	place_camera(l, NULL, &c);
 }

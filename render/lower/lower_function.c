@@ -620,7 +620,7 @@ static bool compile_kind(struct lowering *l, const struct function *f, struct pr
 {
 	p->parameters = 3;
 	p->components = 1;
-	p->world.noise_generator = l->scene->settings.noise_generator;
+	lower_late_generator(l, &p->world.noise_generator);
 	switch (f->kind) {
 	case FUNCTION_EXPRESSION:
 		p->kind = PROGRAM_CODE;

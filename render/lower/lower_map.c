@@ -8,9 +8,14 @@
 
 enum { ENTRIES_MAX = 256 };
 
+static bool is_declared(const struct node *n)
+{
+	return n->children && n->children->keyword == K_REFERENCE;
+}
+
 const struct node *map_node(const struct node *n)
 {
-	return n->children && n->children->keyword == K_REFERENCE ? node_resolve(n->children) : n;
+	return is_declared(n) ? node_resolve(n->children) : n;
 }
 
 static size_t count_children(const struct node *n, enum keyword word)
@@ -46,22 +51,16 @@ static struct map_state *map_create(struct lowering *l, size_t count)
 	return map;
 }
 
-const struct map_state *lower_map(
-	struct lowering *l, const struct node *n, map_entry_reader *entry_reader)
+static struct map_state *read_map(
+	struct lowering *l, const struct node *n, enum keyword word, map_entry_reader *entry_reader)
 {
-	const enum keyword word = n->keyword;
-	n = map_node(n);
-	struct map_state *map = looks_find(l, n);
-	if (map)
-		return map;
 	const size_t count = count_children(n, K_ENTRY);
 	if (n->keyword != word || count < 1 || count > ENTRIES_MAX) {
 		diag_error(l->diag, n->span, "%s needs 1 to %d entries of its own kind",
 			keyword_name(word), ENTRIES_MAX);
 		return NULL;
 	}
-	struct arena *const before = lowering_keep(l);
-	map = map_create(l, count);
+	struct map_state *map = map_create(l, count);
 	if (word == K_COLOR_MAP)
 		map->colours = ARENA_ARRAY(l->arena, count, colour);
 	else if (word == K_SLOPE_MAP)
@@ -82,8 +81,23 @@ const struct map_state *lower_map(
 			map->items[i] = entry_reader(l, entry);
 		i++;
 	}
+	return map;
+}
+
+const struct map_state *lower_map(
+	struct lowering *l, const struct node *n, map_entry_reader *entry_reader)
+{
+	const struct node *at = map_node(n);
+	if (!is_declared(n))
+		return read_map(l, at, n->keyword, entry_reader);
+	struct map_state *map = looks_find(l, at);
+	if (map)
+		return map;
+	struct arena *const before = lowering_keep(l);
+	map = read_map(l, at, n->keyword, entry_reader);
 	l->states = before;
-	looks_remember(l, n, map);
+	if (map)
+		looks_remember(l, at, map);
 	return map;
 }
 

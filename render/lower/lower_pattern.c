@@ -358,25 +358,12 @@ bool pattern_state_modify(struct lowering *l, struct pattern_state *s, const str
 
 /* ---- building ---- */
 
+/* The sources of all ripples and waves. */
 static const struct wave_sources *wave_sources(struct lowering *l)
 {
-	if (l->wave_sources)
-		return l->wave_sources;
-	double count = 10;
-	for (const struct node *n = l->ast->statements; n; n = n->next)
-		for (const struct node *item = n->keyword == K_GLOBAL_SETTINGS ? n->children : NULL;
-			item; item = item->next)
-			if (item->keyword == K_NUMBER_OF_WAVES)
-				count = lower_float(l, item, 0, "a number");
-	l->wave_sources = wave_sources_create(
-		l->arena, count >= 1 ? count < 1e6 ? (size_t)count : 1000000 : 1);
+	if (!l->wave_sources)
+		l->wave_sources = ARENA_NEW(l->arena, struct wave_sources);
 	return l->wave_sources;
-}
-
-static int global_noise_generator(const struct lowering *l)
-{
-	const struct language_state *final = &l->ast->final;
-	return final->noise_generator ? final->noise_generator : final->version >= 350 ? 2 : 1;
 }
 
 /* Steps are applied from the newest to the oldest, which is how the chain is linked. */
@@ -423,9 +410,10 @@ void pattern_build(struct lowering *l, const struct pattern_state *s, struct pat
 		.frequency = s->frequency,
 		.phase = s->phase,
 		.exponent = s->exponent,
-		.noise_generator =
-			s->noise_generator ? s->noise_generator : global_noise_generator(l),
+		.noise_generator = s->noise_generator,
 	};
+	if (!s->noise_generator)
+		lower_late_generator(l, &out->noise_generator);
 	const vec3 amount = s->turbulence.amount;
 	if (s->has_turbulence) {
 		out->turbulence = arena_copy(l->arena, &s->turbulence, sizeof s->turbulence);

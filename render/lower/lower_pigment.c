@@ -323,7 +323,9 @@ const struct pigment *pigment_build(struct lowering *l, const struct pigment_sta
 const struct pigment *lower_pigment(
 	struct lowering *l, const struct node *n, const transform *place)
 {
-	n = node_resolve(n);
-	const struct pigment_state *s = pigment_declared(l, n);
+	const struct pigment_state *s =
+		n->keyword == K_REFERENCE
+			? pigment_declared(l, node_resolve(n))
+			: pigment_read(l, n, default_spec(l, n->state)->layers->pigment);
 	return pigment_build(l, place ? pigment_moved(l, s, place) : s);
 }

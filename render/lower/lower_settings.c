@@ -4,6 +4,8 @@
  */
 #include "render/lower/draft.h"
 
+#include "render/texture/noise.h"
+
 enum { TRACE_LEVEL_MAX = 256 };
 
 static void set_trace_level(struct lowering *l, const struct node *item)
@@ -25,7 +27,6 @@ static bool is_read_elsewhere(enum keyword k)
 	case K_ASSUMED_GAMMA:	/* the parser: it decides what srgb colours are */
 	case K_NOISE_GENERATOR: /* the parser, for the language state */
 	case K_CHARSET:
-	case K_NUMBER_OF_WAVES: /* the textures */
 	case K_MAX_INTERSECTIONS:
 	case K_MM_PER_UNIT: /* of subsurface */
 	case K_SUBSURFACE:  /* refused in the finish that uses it */
@@ -54,6 +55,9 @@ static void setting(struct lowering *l, const struct node *item)
 	case K_HF_GRAY_16:
 		diag_warning(l->diag, item->word,
 			"hf_gray_16 has no effect: ask for grayscale output instead");
+		break;
+	case K_NUMBER_OF_WAVES:
+		l->wave_count = lower_float(l, item, 0, "a number");
 		break;
 	case K_RADIOSITY:
 		if (s->quality >= 9)
@@ -94,22 +98,45 @@ static struct working_space working_space_of(const struct language_state *state,
 
 void settings_begin(struct lowering *l)
 {
-	const struct language_state *final = &l->ast->final;
-	struct settings *s = &l->scene->settings;
-	const int version = final->version_set ? final->version : 362;
-	*s = (struct settings){
-		.version = version < 350 ? 350 : version,
+	l->scene->settings = (struct settings){
 		.max_trace_level = 5,
 		.adc_bailout = 1.0f / 255,
 		.ambient_light = { 1, 1, 1 },
 		.irid_wavelength = { 0.70f, 0.52f, 0.48f },
 		.quality = l->options->quality,
 		.output_alpha = l->options->output_alpha,
-		.working = working_space_of(final, l->options->working_version),
-		.noise_generator = final->noise_generator  ? final->noise_generator
-				   : final->version >= 350 ? 2
-							   : 1,
 	};
 	/* without a background statement: nothing, which is transparent if alpha is wanted */
 	l->scene->background = (colour){ 0, 0, 0, 0, l->options->output_alpha ? 1.0f : 0.0f };
+}
+
+void lower_late_generator(struct lowering *l, int *generator)
+{
+	if (l->generator_count == l->generator_room) {
+		l->generator_room = l->generator_room ? 2 * l->generator_room : 64;
+		l->generators = memory_grow(l->generators, l->generator_room, sizeof(int *));
+	}
+	l->generators[l->generator_count++] = generator;
+}
+
+static void settle_waves(struct lowering *l)
+{
+	const double count = l->wave_count;
+	if (l->wave_sources && !l->wave_sources->items)
+		*l->wave_sources = wave_sources_make(
+			l->arena, count >= 1 ? count < 1e6 ? (size_t)count : 1000000 : 1);
+}
+
+void lowering_settle(struct lowering *l, const struct language_state *final)
+{
+	struct settings *s = &l->scene->settings;
+	const int version = final->version_set ? final->version : 362;
+	s->version = version < 350 ? 350 : version;
+	s->working = working_space_of(final, l->options->working_version);
+	s->noise_generator = final->noise_generator  ? final->noise_generator
+			     : final->version >= 350 ? 2
+						     : 1;
+	while (l->generator_count)
+		*l->generators[--l->generator_count] = s->noise_generator;
+	settle_waves(l);
 }

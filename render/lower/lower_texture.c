@@ -238,26 +238,38 @@ static void settle(struct lowering *l, struct texture_state *s)
 	s->is_placed = false;
 }
 
+/* A texture of its own, with one layer or several. */
+static const struct texture_spec *read_layers(struct lowering *l, const struct node *n)
+{
+	if (n->keyword != K_LAYERS)
+		return texture_read(l, n, default_spec(l, n->state));
+	const struct texture_spec *spec = NULL;
+	for (const struct node *item = n->children; item; item = item->next)
+		spec = texture_layer(l, spec,
+			item->keyword == K_REFERENCE
+				? texture_declared(l, node_resolve(item))
+				: texture_read(l, item, default_spec(l, item->state)),
+			item);
+	return spec ? spec : default_spec(l, n->state);
+}
+
 const struct texture_spec *texture_declared(struct lowering *l, const struct node *n)
 {
 	const struct texture_spec *spec = looks_find(l, n);
 	if (spec)
 		return spec;
 	struct arena *const before = lowering_keep(l);
-	if (n->keyword == K_LAYERS)
-		for (const struct node *item = n->children; item; item = item->next)
-			spec = texture_layer(l, spec,
-				item->keyword == K_REFERENCE
-					? texture_declared(l, node_resolve(item))
-					: texture_read(l, item, default_spec(l, item->state)),
-				item);
-	else
-		spec = texture_read(l, n, default_spec(l, n->state));
-	if (!spec)
-		spec = default_spec(l, n->state);
+	spec = read_layers(l, n);
 	l->states = before;
 	looks_remember(l, n, (void *)(uintptr_t)spec);
 	return spec;
+}
+
+/* A texture statement, or a reference to one. */
+static const struct texture_spec *texture_of(struct lowering *l, const struct node *item)
+{
+	return item->keyword == K_REFERENCE ? texture_declared(l, node_resolve(item))
+					    : read_layers(l, item);
 }
 
 static bool is_plain_item(const struct node *item)
@@ -280,7 +292,7 @@ static void read_plain_item(struct lowering *l, struct texture_state *s, const s
 	if (is_part(n))
 		s->spec = spec_modified(l, s->spec, item);
 	else if (is_texture(n))
-		s->spec = texture_declared(l, n);
+		s->spec = texture_of(l, item);
 	else if (n->keyword == K_NO_BUMP_SCALE)
 		s->spec = spec_unscaled(l, s->spec);
 	else if (n->keyword == K_TILES)
@@ -368,9 +380,7 @@ void texture_state_add(struct lowering *l, struct texture_state **state, const s
 		s->spec = spec_modified(l, s->spec, item);
 		return;
 	}
-	const struct texture_spec *spec = item->keyword == K_REFERENCE || n->keyword == K_LAYERS
-						  ? texture_declared(l, n)
-						  : texture_read(l, n, default_spec(l, n->state));
+	const struct texture_spec *spec = texture_of(l, item);
 	s->spec = texture_layer(l, is_new ? NULL : s->spec, spec, item);
 }
 

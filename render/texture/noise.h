@@ -34,7 +34,7 @@ struct wave_sources {
 	size_t count;
 	const struct wave_source *items;
 };
-const struct wave_sources *wave_sources_create(struct arena *, size_t count);
+struct wave_sources wave_sources_make(struct arena *, size_t count);
 
 /* Constant tables, written by generate_tables.c. */
 extern const double noise_reals[267];

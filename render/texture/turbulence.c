@@ -35,7 +35,7 @@ double noise_turbulence_scalar(vec3 p, int octaves, float omega, float lambda, i
 	return sum;
 }
 
-const struct wave_sources *wave_sources_create(struct arena *arena, size_t count)
+struct wave_sources wave_sources_make(struct arena *arena, size_t count)
 {
 	struct wave_source *items = ARENA_ARRAY(arena, count, struct wave_source);
 	uint32_t state = (uint32_t)-560851967;
@@ -44,7 +44,5 @@ const struct wave_sources *wave_sources_create(struct arena *arena, size_t count
 		items[i].centre = vec_normalize(noise_vector(vec((double)i, 0, 0)));
 		items[i].frequency = (state >> 16 & 0x7fff) * 0.000030518509476 + 0.01;
 	}
-	struct wave_sources *sources = ARENA_NEW(arena, struct wave_sources);
-	*sources = (struct wave_sources){ count, items };
-	return sources;
+	return (struct wave_sources){ count, items };
 }

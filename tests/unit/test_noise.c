@@ -119,7 +119,7 @@ static void test_wave_sources(void **state)
 {
 	(void)state;
 	struct arena *arena = arena_create(0);
-	const struct wave_sources *sources = wave_sources_create(arena, 10);
+	const struct wave_sources made = wave_sources_make(arena, 10), *sources = &made;
 	assert_int_equal(sources->count, 10);
 	assert_near(sources->items[0].centre.y, 0.492048408, 6e-10);
 	assert_near(sources->items[1].frequency, 0.960041200, 6e-10);

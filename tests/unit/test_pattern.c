@@ -84,7 +84,8 @@ static void test_ripples(void **state)
 	struct arena *arena = arena_create(0);
 	_Alignas(16) char self[256];
 	struct pattern pattern = pattern_of("ripples", self);
-	pattern.wave_sources = wave_sources_create(arena, 10);
+	const struct wave_sources sources = wave_sources_make(arena, 10);
+	pattern.wave_sources = &sources;
 	assert_near(raw(&pattern, points[0]), 0.273188178700, DIGITS);
 	arena_destroy(arena);
 }
