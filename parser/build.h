@@ -17,6 +17,7 @@
 struct number_value {
 	struct number number;
 	struct symbol *symbol; /* an identifier alone, else NULL */
+	enum keyword keyword;  /* a constant like true, else K_NONE */
 };
 
 /* A string, and how it reads where a file name is expected (backslashes kept). */
@@ -189,6 +190,7 @@ struct node *old_finish_node(
 	struct parser *, enum keyword, span whole, span word, double value, span);
 struct node *old_colour(struct parser *, struct colour_value, span);
 struct node *fog_colour(struct parser *, struct colour_value, span);
+void rainbow_check(struct parser *, const struct node *);
 void default_add(struct parser *, struct node *);
 void set_gamma(struct parser *, float, span);
 void set_noise(struct parser *, double, span);
@@ -227,6 +229,8 @@ struct node *mesh2_node(struct parser *, struct node_list, span whole, span word
 
 struct number number_float(double);
 struct number number_vector(double x, double y, double z);
+/* The unit vector that x, y, z, u, v or t is. */
+struct number number_axis(enum keyword);
 struct number number_negate(struct number);
 struct number number_not(struct number);
 /* `op`: the operator's token. */
@@ -247,6 +251,7 @@ bool number_is_true(struct parser *, struct number, span);
 /* -- colour.c ----------------------------------------------------------------------------- */
 
 struct number colour_word(struct parser *, enum keyword, struct number, span);
+struct colour_value colour_black(void);
 struct colour_parts *colour_part(
 	struct parser *, struct colour_parts *, enum keyword, double value, span word);
 /* To five terms rounded to float. */
@@ -293,7 +298,6 @@ struct number builtin_dimensions(struct parser *, const struct symbol *, span);
 struct number builtin_dimension_size(struct parser *, const struct symbol *, double, span);
 struct number builtin_file_exists(struct parser *, const char *);
 struct number builtin_call(struct parser *, struct callee, size_t start, span);
-struct number builtin_constant(struct parser *, enum keyword);
 
 /* -- spline.c ----------------------------------------------------------------------------- */
 
@@ -315,7 +319,7 @@ unsigned function_terms(const struct function *);
 void function_loop_begin(struct parser *, const char *name, span);
 const struct expr *function_loop_end(struct parser *, enum keyword, const struct expr *from,
 	const struct expr *to, const struct expr *body, span);
-const struct expr *expr_constant(struct parser *, double, span);
+const struct expr *expr_number(struct parser *, struct number_value, span);
 const struct expr *expr_name(struct parser *, const char *, span);
 const struct expr *expr_axis(struct parser *, enum keyword, span);
 const struct expr *expr_unary(struct parser *, enum expr_kind, const struct expr *, span);

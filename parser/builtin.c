@@ -11,54 +11,9 @@
 
 #include <math.h>
 #include <string.h>
-#include <time.h>
 
 #define PI	  3.14159265358979323846
 #define TOLERANCE 1e-10 /* atan2 of two values this small is an error, as the language defines */
-
-/* -- Constants ---------------------------------------------------------------------------- */
-
-/* Days since 2000-01-01 00:00 UTC. */
-static double days_now(void)
-{
-	struct timespec now;
-	clock_gettime(CLOCK_REALTIME, &now);
-	return ((double)now.tv_sec + (double)(now.tv_nsec / 1000) * 1e-6) / 86400 - 10957;
-}
-
-struct number builtin_constant(struct parser *p, enum keyword word)
-{
-	switch (word) {
-	case K_X:
-		return number_vector(1, 0, 0);
-	case K_Y:
-		return number_vector(0, 1, 0);
-	case K_Z:
-		return number_vector(0, 0, 1);
-	case K_U:
-		return (struct number){ .terms = 2, .v = { 1 } };
-	case K_V:
-		return (struct number){ .terms = 2, .v = { 0, 1 } };
-	case K_T:
-		return (struct number){ .terms = 4, .v = { 0, 0, 0, 1 } };
-	case K_PI:
-		return number_float(PI);
-	case K_CLOCK:
-		return number_float(p->options->clock);
-	case K_CLOCK_ON:
-		return number_float(p->options->clock_on);
-	case K_VERSION:
-		return number_float(p->state->version / 100.0);
-	case K_NOW:
-		return number_float(days_now());
-	case K_TRUE:
-	case K_YES:
-	case K_ON:
-		return number_float(1);
-	default:
-		return number_float(0);
-	}
-}
 
 /* -- Random streams ----------------------------------------------------------------------- */
 

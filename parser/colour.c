@@ -4,6 +4,7 @@
  * maps made of them. Components are computed in double and stored as float.
  */
 #include "parser/build.h"
+#include "parser/expand.h"
 
 #include <math.h>
 #include <string.h>
@@ -64,6 +65,11 @@ struct number colour_word(struct parser *p, enum keyword word, struct number n, 
 	return out;
 }
 
+struct colour_value colour_black(void)
+{
+	return (struct colour_value){ .number = { .terms = 5 }, .words = true };
+}
+
 struct colour_parts *colour_part(
 	struct parser *p, struct colour_parts *parts, enum keyword word, double value, span at)
 {
@@ -120,9 +126,17 @@ struct number colour_rgb_only(struct parser *p, struct colour_value colour, span
 	return out;
 }
 
+/* Whether what stands at a place is surely no colour identifier. A name from a macro that has ended
+ * may mean nothing any more. */
+static bool begins_otherwise(struct parser *p, span where)
+{
+	const struct name *name = expand_name_at(p, where);
+	return !name || (name->binding && name->binding->slot->kind == VALUE_NUMBER);
+}
+
 struct colour_value colour_bare(struct parser *p, struct colour_value colour, span where)
 {
-	if (colour.number.terms != 5)
+	if (colour.number.terms != 5 || begins_otherwise(p, where))
 		parser_error(p, where, "a colour needs the word rgb or color before it here");
 	return colour;
 }

@@ -78,6 +78,17 @@ static bool leave_frame(struct parser *p)
 
 /* -- Raw tokens --------------------------------------------------------------------------- */
 
+/* Of the word that begins here; 0: none does. */
+static size_t word_length(const char *text)
+{
+	size_t length = 0;
+	while (text[length] == '_' || (text[length] >= 'a' && text[length] <= 'z') ||
+		(text[length] >= 'A' && text[length] <= 'Z') ||
+		(length && text[length] >= '0' && text[length] <= '9'))
+		length++;
+	return length;
+}
+
 static uint32_t raw_length(const struct expand *x, const struct frame *f, struct raw_token raw)
 {
 	size_t length = 1;
@@ -91,13 +102,9 @@ static uint32_t raw_length(const struct expand *x, const struct frame *f, struct
 	case RAW_STRING:
 		length = raw.payload + 2;
 		break;
-	case RAW_KEYWORD: {
-		const char *text = f->source->bytes + raw.offset; /* synonyms differ in length */
-		while (text[length] == '_' || (text[length] >= '0' && text[length] <= '9') ||
-			(text[length] >= 'a' && text[length] <= 'z'))
-			length++;
+	case RAW_KEYWORD: /* synonyms differ in length */
+		length = word_length(f->source->bytes + raw.offset);
 		break;
-	}
 	case RAW_NAME:
 		length = x->names.list[raw.payload].length;
 		break;
@@ -350,7 +357,7 @@ static double days_since_2000(void)
 {
 	struct timespec now;
 	clock_gettime(CLOCK_REALTIME, &now);
-	return ((double)now.tv_sec + 1e-9 * (double)now.tv_nsec) / 86400 - 10957;
+	return ((double)now.tv_sec + (double)(now.tv_nsec / 1000) * 1e-6) / 86400 - 10957;
 }
 
 static int number_token(struct token_value *v, double value)
@@ -360,35 +367,47 @@ static int number_token(struct token_value *v, double value)
 	return T_NUMBER;
 }
 
-static int keyword_value(struct parser *p, enum keyword keyword, struct token_value *v)
+bool constant_value(struct parser *p, enum keyword keyword, double *value)
 {
-	v->keyword = keyword;
 	switch (keyword) {
 	case K_CLOCK:
-		return number_token(v, p->options->clock);
+		*value = p->options->clock;
+		return true;
 	case K_CLOCK_ON:
-		return number_token(v, p->options->clock_on);
+		*value = p->options->clock_on;
+		return true;
 	case K_VERSION:
-		return number_token(v, p->state->version / 100.0);
+		*value = p->state->version / 100.0;
+		return true;
 	case K_PI:
-		return number_token(v, 3.14159265358979323846);
+		*value = 3.14159265358979323846;
+		return true;
 	case K_TRUE:
 	case K_YES:
 	case K_ON:
-		return number_token(v, 1);
+		*value = 1;
+		return true;
 	case K_FALSE:
 	case K_NO:
 	case K_OFF:
-		return number_token(v, 0);
+		*value = 0;
+		return true;
 	case K_NOW:
-		return number_token(v, days_since_2000());
-	case K_DEFINED: {
-		bool defined;
-		return identifier_defined(p, &defined) ? number_token(v, defined) : 0;
-	}
+		*value = days_since_2000();
+		return true;
 	default:
-		return keyword_token[keyword];
+		return false;
 	}
+}
+
+static int keyword_value(struct parser *p, enum keyword keyword, struct token_value *v)
+{
+	double value;
+	bool defined;
+	v->keyword = keyword;
+	if (keyword == K_DEFINED)
+		return identifier_defined(p, &defined) ? number_token(v, defined) : 0;
+	return constant_value(p, keyword, &value) ? number_token(v, value) : keyword_token[keyword];
 }
 
 /* Whether a name is that of a macro at the moment. */
@@ -644,6 +663,16 @@ bool expand_plain_vector(struct parser *p, struct number *number, span *last)
 	number->terms = (uint8_t)terms;
 	number->leftover = false;
 	return true;
+}
+
+const struct name *expand_name_at(struct parser *p, span where)
+{
+	struct names *names = &p->expand->names;
+	const struct source *s = p->expand->sources;
+	while (s && s->number != where.source)
+		s = s->previous;
+	const size_t length = s ? word_length(s->bytes + where.offset) : 0;
+	return length ? &names->list[names_intern(names, s->bytes + where.offset, length)] : NULL;
 }
 
 void expand_back(struct parser *p, span where)

@@ -145,8 +145,8 @@ const struct raw_token *raw_peek_at_end(struct parser *);
 static inline const struct raw_token *raw_peek(struct parser *p)
 {
 	const struct frame *f = top_frame(p->expand);
-	const bool plain = !p->failed && f->position < f->end &&
-			   f->tokens[f->position].kind != RAW_ERROR;
+	const bool plain =
+		!p->failed && f->position < f->end && f->tokens[f->position].kind != RAW_ERROR;
 	return plain ? &f->tokens[f->position] : raw_peek_at_end(p);
 }
 /* Steps over the raw token that raw_peek returned. */
@@ -163,6 +163,8 @@ span raw_span(struct parser *);
 span raw_span_at(struct parser *, const struct raw_token *);
 /* Words for a raw token in a message. */
 const char *raw_describe(struct parser *, const struct raw_token *);
+/* The value of a word like pi, clock or true; false: it is none. */
+bool constant_value(struct parser *, enum keyword, double *value);
 /* Takes the raw token if it is of that kind (and, for keywords, that payload). */
 bool raw_accept(struct parser *, unsigned kind);
 bool raw_accept_keyword(struct parser *, enum keyword);

@@ -172,12 +172,20 @@ static void set_operands(
 		parser_error(p, e->span, "the expression has more than %d levels", EXPR_DEPTH_MAX);
 }
 
-const struct expr *expr_constant(struct parser *p, double value, span where)
+static const struct expr *expr_constant(struct parser *p, double value, span where)
 {
 	struct expr *e = make(p, EXPR_CONSTANT, where);
 	e->constant = value;
 	e->literal = true;
 	return e;
+}
+
+const struct expr *expr_number(struct parser *p, struct number_value n, span where)
+{
+	if (n.keyword != K_NONE && n.keyword != K_PI && n.keyword != K_CLOCK)
+		parser_error(
+			p, where, "'%s' cannot be used in a function", keyword_name(n.keyword));
+	return expr_constant(p, n.number.v[0], where);
 }
 
 static const struct expr *parameter(struct parser *p, unsigned index, span where)

@@ -608,6 +608,17 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 
 /* Weakest first. See the head of the file. */
 %precedence ENDS
+/* Behind `color`: its colour begins, it does not stand alone. */
+%precedence
+	T_NUMBER T_VECTOR T_COLOUR T_SUM T_STRING T_FUNCTION T_VECTOR_FUNCTION '!' KW_ABS KW_ACOS
+	KW_ACOSH KW_ASC KW_ASIN KW_ASINH KW_ATAN KW_ATAN2 KW_ATANH KW_BITWISE_AND KW_BITWISE_OR
+	KW_BITWISE_XOR KW_CEIL KW_CHR KW_CONCAT KW_COS KW_COSH KW_DATETIME KW_DEFINED KW_DEGREES
+	KW_DIMENSION_SIZE KW_DIMENSIONS KW_DIV KW_EXP KW_FILE_EXISTS KW_FLOOR KW_INSIDE KW_INT
+	KW_LN KW_LOG KW_MAX KW_MAX_EXTENT KW_MIN KW_MIN_EXTENT KW_MOD KW_POW KW_RADIANS KW_RAND
+	KW_RGB KW_RGBF KW_RGBFT KW_RGBT KW_SEED KW_SELECT KW_SIN KW_SINH KW_SQRT KW_SRGB KW_SRGBF
+	KW_SRGBFT KW_SRGBT KW_STR KW_STRCMP KW_STRLEN KW_STRLWR KW_STRUPR KW_SUBSTR KW_T KW_TAN
+	KW_TANH KW_TRACE KW_U KW_V KW_VAL KW_VAXIS_ROTATE KW_VCROSS KW_VDOT KW_VLENGTH
+	KW_VNORMALIZE KW_VROTATE KW_VSTR KW_VTURBULENCE KW_X KW_Y KW_Z
 %left ','
 %left '(' '{' T_SPLINE
 %left KW_TEXTURE KW_RED KW_GREEN KW_BLUE KW_FILTER KW_TRANSMIT KW_ALPHA
@@ -673,12 +684,14 @@ operand:
 	  T_NUMBER { $$ = $1.number; }
 	| T_VECTOR %prec ENDS { $$ = $1.number; }
 	| T_COLOUR { $$ = $1.number; }
-	| axis { $$ = builtin_constant(p, $1); }
+	| axis { $$ = number_axis($1); }
 	| '<' sums '>' { $$ = number_literal(p, $2, @$); }
 	| '<' sums ',' '>' { $$ = number_literal(p, $2, @$); }
 	| '(' full ')' { $$ = $2; }
 	| float_function '(' full ')' { $$ = builtin_float(p, $1, $3, @$); }
 	| list_function '(' sums ')' { $$ = builtin_list(p, $1, $3, @$); }
+	| KW_VTURBULENCE '(' sums ')' { $$ = builtin_list(p, $1, $3, @$); }
+	| KW_VTURBULENCE '(' sums ',' ')' { $$ = builtin_list(p, $1, $3, @$); }
 	| extent_function '(' T_OBJECT ')' { $$ = builtin_extent(p, $1, $3, @$); }
 	| extent_function '(' T_PIGMENT ')' { $$ = builtin_extent(p, $1, $3, @$); }
 	| KW_INSIDE '(' T_OBJECT oc sum ')' { $$ = builtin_inside(p, $3, $5, @$); }
@@ -704,8 +717,6 @@ operand:
 	;
 axis:
 	  KW_X | KW_Y | KW_Z | KW_U | KW_V | KW_T
-	| KW_PI | KW_CLOCK | KW_CLOCK_ON | KW_VERSION | KW_NOW
-	| KW_TRUE | KW_YES | KW_ON | KW_FALSE | KW_NO | KW_OFF
 	;
 float_function:
 	  KW_ABS | KW_ACOS | KW_ACOSH | KW_ASIN | KW_ASINH | KW_ATAN | KW_ATANH | KW_CEIL | KW_COS
@@ -716,7 +727,6 @@ list_function:
 	  KW_ATAN2 | KW_DIV | KW_MOD | KW_POW | KW_MAX | KW_MIN | KW_SELECT
 	| KW_BITWISE_AND | KW_BITWISE_OR | KW_BITWISE_XOR
 	| KW_VDOT | KW_VLENGTH | KW_VCROSS | KW_VNORMALIZE | KW_VROTATE | KW_VAXIS_ROTATE
-	| KW_VTURBULENCE
 	;
 extent_function: KW_MIN_EXTENT | KW_MAX_EXTENT ;
 identifier:
@@ -797,11 +807,13 @@ concat_list:
 
 colour:
 	  colour_items
+	| KW_COLOR %prec ENDS { $$ = colour_black(); }
 	| KW_COLOR colour_items { $$ = $2; }
 	;
 /* A colour that shows itself by its first word. */
 marked_colour:
 	  colour_words
+	| KW_COLOR %prec ENDS { $$ = colour_black(); }
 	| KW_COLOR colour_items { $$ = $2; }
 	;
 /* An expression that is a colour without saying so: it must have been declared as one. */
@@ -1006,9 +1018,7 @@ fsigned:
 	| '-' foperand { $$ = expr_unary(p, EXPR_NEGATE, $2, @$); }
 	;
 foperand:
-	  T_NUMBER { $$ = expr_constant(p, $1.number.v[0], @$); }
-	| KW_PI { $$ = expr_constant(p, builtin_constant(p, $1).v[0], @$); }
-	| KW_CLOCK { $$ = expr_constant(p, builtin_constant(p, $1).v[0], @$); }
+	  T_NUMBER { $$ = expr_number(p, $1, @$); }
 	| fvariable { $$ = expr_axis(p, $1, @$); }
 	| T_UNDECLARED { $$ = expr_name(p, $1, @$); }
 	| '(' fexpr ')' { $$ = expr_group(p, $2, @$); }
@@ -2047,7 +2057,9 @@ fog_float:
 	  KW_DISTANCE | KW_FOG_TYPE | KW_FOG_OFFSET | KW_FOG_ALT | KW_TURB_DEPTH | KW_OCTAVES | KW_OMEGA
 	| KW_LAMBDA
 	;
-rainbow: KW_RAINBOW '{' rainbow_items '}' { $$ = node_block(p, $1, @$, @1, $3); } ;
+rainbow: KW_RAINBOW '{' rainbow_items '}'
+		{ $$ = node_block(p, $1, @$, @1, $3); rainbow_check(p, $$); }
+	;
 rainbow_items:
 	  %empty { $$ = list_none(); }
 	| T_RAINBOW { $$ = list_one(node_reference(p, $1, @1)); }

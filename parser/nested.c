@@ -104,9 +104,31 @@ static void remember_levels(struct parser *p, const struct value *value)
 		remember_levels(p, &value->array->elements[i]);
 }
 
+/* A value cannot begin with the vector t. */
+static bool begins_with_t(struct parser *p)
+{
+	const struct expand *x = p->expand;
+	span where;
+	if (has_read_ahead(x)) {
+		const struct unread *next = &x->unread[x->unread_count - 1];
+		if (next->token != KW_T)
+			return false;
+		where = next->where;
+	} else {
+		const struct raw_token *next = raw_peek(p);
+		if (!next || next->kind != RAW_KEYWORD || next->payload != (uint32_t)K_T)
+			return false;
+		where = raw_span(p);
+	}
+	parser_error(p, where, "a value cannot begin with t: write +t");
+	return true;
+}
+
 bool parse_declared(struct parser *p, struct value *value)
 {
 	struct run run;
+	if (begins_with_t(p))
+		return false;
 	if (quick_value(p, value) || (expand_settle(p) && quick_value(p, value)))
 		return true;
 	const uintptr_t around = p->levels_read;

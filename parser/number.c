@@ -25,6 +25,24 @@ struct number number_vector(double x, double y, double z)
 	return (struct number){ .terms = 3, .v = { x, y, z } };
 }
 
+struct number number_axis(enum keyword word)
+{
+	switch (word) {
+	case K_X:
+		return number_vector(1, 0, 0);
+	case K_Y:
+		return number_vector(0, 1, 0);
+	case K_Z:
+		return number_vector(0, 0, 1);
+	case K_U:
+		return (struct number){ .terms = 2, .v = { 1 } };
+	case K_V:
+		return (struct number){ .terms = 2, .v = { 0, 1 } };
+	default:
+		return (struct number){ .terms = 4, .v = { 0, 0, 0, 1 } };
+	}
+}
+
 struct number number_plain(struct number n)
 {
 	if (!n.leftover)

@@ -139,6 +139,16 @@ static bool read_list_function(struct quick *q, enum keyword word, struct number
 	return true;
 }
 
+static bool read_constant(struct quick *q, enum keyword word, struct number *n)
+{
+	double value;
+	if (!constant_value(q->p, word, &value))
+		return false;
+	q->at++;
+	*n = number_float(value);
+	return true;
+}
+
 static bool read_word(struct quick *q, struct number *n)
 {
 	const enum keyword word = (enum keyword)q->at->payload;
@@ -149,18 +159,8 @@ static bool read_word(struct quick *q, struct number *n)
 	case K_U:
 	case K_V:
 	case K_T:
-	case K_PI:
-	case K_CLOCK:
-	case K_CLOCK_ON:
-	case K_VERSION:
-	case K_TRUE:
-	case K_YES:
-	case K_ON:
-	case K_FALSE:
-	case K_NO:
-	case K_OFF:
 		q->at++;
-		*n = builtin_constant(q->p, word);
+		*n = number_axis(word);
 		return true;
 	case K_ABS:
 	case K_ACOS:
@@ -204,7 +204,7 @@ static bool read_word(struct quick *q, struct number *n)
 	case K_VAXIS_ROTATE:
 		return read_list_function(q, word, n);
 	default:
-		return false;
+		return read_constant(q, word, n);
 	}
 }
 
@@ -515,23 +515,34 @@ static bool at_close(const struct quick *q)
 	return kind == ',' || kind == ')' || kind == ';' || kind == ']';
 }
 
-bool quick_number(struct parser *p, struct number *n)
+static bool begins_with_t(const struct quick *q)
+{
+	return next_kind(q) == RAW_KEYWORD && q->at->payload == (uint32_t)K_T;
+}
+
+/* A value that is declared or an argument cannot begin with t. */
+static bool closed_sum(struct parser *p, struct number *n, bool value)
 {
 	struct quick q;
 	if (!begin(&q, p))
 		return false;
 	const size_t height = args_height(p);
-	const bool ok = read_sum(&q, n) && at_close(&q);
+	const bool ok = !(value && begins_with_t(&q)) && read_sum(&q, n) && at_close(&q);
 	if (!finish(&q, ok, height))
 		return false;
 	*n = number_plain(*n);
 	return true;
 }
 
+bool quick_number(struct parser *p, struct number *n)
+{
+	return closed_sum(p, n, false);
+}
+
 bool quick_value(struct parser *p, struct value *value)
 {
 	struct number n;
-	if (!quick_number(p, &n))
+	if (!closed_sum(p, &n, true))
 		return false;
 	*value = value_number(n);
 	return true;

@@ -174,7 +174,7 @@ static void convert(GRAMMAR_STYPE *out, int token, const struct token_value *v)
 	case T_NUMBER:
 	case T_VECTOR:
 	case T_COLOUR:
-		out->named = (struct number_value){ v->number, v->symbol };
+		out->named = (struct number_value){ v->number, v->symbol, v->keyword };
 		if (token == T_NUMBER)
 			out->named.number.terms = 1;
 		out->named.number.leftover = false;

@@ -114,10 +114,42 @@ struct node *fog_colour(struct parser *p, struct colour_value colour, span where
 	return colour_node(p, colour_full(p, colour, where), where);
 }
 
+void rainbow_check(struct parser *p, const struct node *rainbow)
+{
+	for (const struct node *n = rainbow->children; n; n = n->next) {
+		if (n->keyword == K_REFERENCE)
+			return;
+		const double *v = n->keyword == K_DIRECTION ? n->args[0].number.v : NULL;
+		if (v && (v[0] != 0 || v[1] != 0 || v[2] != 0))
+			return;
+	}
+	parser_error(p, rainbow->word, "rainbow needs a direction");
+}
+
 /* -- State of the language ---------------------------------------------------------------- */
+
+/* Whether a texture is neither layered nor made of a pattern. */
+static bool is_plain_texture(const struct node *texture)
+{
+	if (texture->keyword == K_LAYERS)
+		return false;
+	for (const struct node *n = texture->children; n; n = n->next) {
+		const enum keyword k = n->keyword;
+		if (k == K_REFERENCE
+				? n->ref->keyword != K_PIGMENT && n->ref->keyword != K_NORMAL &&
+					  n->ref->keyword != K_FINISH && !is_plain_texture(n->ref)
+				: k != K_PIGMENT && k != K_NORMAL && k != K_FINISH &&
+					  k != K_NO_BUMP_SCALE && !is_transformation(k))
+			return false;
+	}
+	return true;
+}
 
 void default_add(struct parser *p, struct node *node)
 {
+	if (node->keyword == K_TEXTURE && !is_plain_texture(node))
+		parser_error(p, node->span,
+			"the default texture can be neither layered nor made of a pattern");
 	struct defaults *defaults = ARENA_NEW(p->arena, struct defaults);
 	defaults->previous = p->state->defaults;
 	defaults->node = node;

@@ -124,11 +124,10 @@ static void report_name(
 static const struct opening *bracket_around(
 	const struct parser *p, const struct run *run, const struct queued *t)
 {
-	const struct opening *openings = p->grammar->openings + run->base;
 	const size_t depth = is_opening(t->token) ? run->depth - 1
 			     : run->closed	  ? run->depth + 1
 						  : run->depth;
-	return depth ? &openings[depth - 1] : NULL;
+	return depth ? &p->grammar->openings[run->base + depth - 1] : NULL;
 }
 
 static void report_open(struct parser *p, const struct opening *open, span where)

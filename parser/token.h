@@ -32,6 +32,7 @@
 #define LAMBERT_PARSER_TOKEN_H
 
 #include "parser/ast.h"
+#include "parser/names.h"
 #include "parser/parser.h"
 #include "parser/value.h"
 
@@ -46,7 +47,8 @@ struct token_value {
 	const struct node *node;
 	const struct function *function;
 	const struct spline *spline;
-	struct symbol *symbol; /* NULL: not an identifier. For an array element: a symbol that stands
+	struct symbol
+		*symbol; /* NULL: not an identifier. For an array element: a symbol that stands
 	                          for the element */
 };
 
@@ -56,6 +58,8 @@ struct token_value {
 int expand_next(struct parser *, struct token_value *, span *);
 /* Hands a token back; the next expand_next returns it again. */
 void expand_unread(struct parser *, int token, const struct token_value *, span);
+/* The name that stands at a place of the text, NULL: something else does. */
+const struct name *expand_name_at(struct parser *, span where);
 /* Goes back, in the text being read, to the token that begins at a place. */
 void expand_back(struct parser *, span where);
 /* Behind a '<': reads `1, -2, 3 >` if nothing but numbers, signs and commas stands there, and says

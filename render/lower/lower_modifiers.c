@@ -86,18 +86,20 @@ static void read_cutters(struct lowering *l, const struct node *n, struct draft 
 
 static void add_cutters(struct lowering *l, struct draft *d, const struct node *n)
 {
-	const enum keyword other = n->keyword == K_CLIPPED_BY ? K_BOUNDED_BY : K_CLIPPED_BY;
+	const bool clips = n->keyword == K_CLIPPED_BY;
+	struct draft **own = clips ? &d->clips : &d->bounds;
+	struct draft *other = clips ? d->bounds : d->clips;
 	if (d->bounds_are_clips) {
 		diag_error(l->diag, n->span, "%s after the two lists have been linked",
 			keyword_name(n->keyword));
-	} else if (node_child(n, other)) {
+	} else if (!node_child(n, clips ? K_BOUNDED_BY : K_CLIPPED_BY)) {
+		read_cutters(l, n, own);
+	} else if (*own) {
+		diag_error(l->diag, n->span, "%s has its own objects and cannot be linked as well",
+			keyword_name(n->keyword));
+	} else if (other) { /* linking to an empty list does nothing */
 		d->bounds_are_clips = true;
-		if (n->keyword == K_CLIPPED_BY)
-			d->clips = d->bounds;
-		else
-			d->bounds = d->clips;
-	} else {
-		read_cutters(l, n, n->keyword == K_CLIPPED_BY ? &d->clips : &d->bounds);
+		*own = other;
 	}
 }
 

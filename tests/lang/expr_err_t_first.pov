@@ -1,0 +1,3 @@
+// A declared value cannot begin with the vector t.
+#version 3.7;
+#declare A = t*2;
