@@ -32,6 +32,7 @@ struct diag {
 	struct site *sites;
 	size_t source_count, site_count, site_room;
 	unsigned errors, warnings;
+	bool muted;
 	char *lines[CHAIN_MAX + 1]; /* the text of the places being shown */
 };
 
@@ -118,6 +119,8 @@ struct place diag_place(struct diag *d, span where)
 static void deliver(
 	struct diag *d, enum severity severity, span where, const char *format, va_list args)
 {
+	if (d->muted)
+		return;
 	char text[1024];
 	vsnprintf(text, sizeof text, format, args);
 	if (severity == SEVERITY_ERROR)
@@ -173,6 +176,13 @@ void diag_note(struct diag *d, span where, const char *format, ...)
 	va_start(args, format);
 	deliver(d, SEVERITY_NOTE, where, format, args);
 	va_end(args);
+}
+
+bool diag_mute(struct diag *d, bool muted)
+{
+	const bool before = d->muted;
+	d->muted = muted;
+	return before;
 }
 
 unsigned diag_errors(const struct diag *d)

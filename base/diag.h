@@ -63,6 +63,10 @@ void diag_warning(struct diag *, span where, const char *format, ...)
 void diag_note(struct diag *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
+/* Whether reports are dropped from now on: while something that was reported is done again. Returns what
+ * held before. */
+bool diag_mute(struct diag *, bool);
+
 /* Errors reported so far. */
 unsigned diag_errors(const struct diag *);
 unsigned diag_warnings(const struct diag *);

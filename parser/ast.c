@@ -129,9 +129,20 @@ static void count_levels(struct parser *p, const struct node *declared, span whe
 		p->levels_read = levels;
 }
 
+static void count_parts(struct parser *p, const struct node *declared, span where)
+{
+	p->parts_read += 1 + (uintptr_t)pointer_map_find(&p->reference_parts, declared);
+	if (p->parts_read > REFERENCE_PARTS)
+		parser_error(p, where,
+			"declared values are used more than %d times here, counting their uses of "
+			"each other",
+			REFERENCE_PARTS);
+}
+
 struct node *node_reference(struct parser *p, struct reference reference, span where)
 {
 	count_levels(p, reference.node, where);
+	count_parts(p, reference.node, where);
 	struct node *node = node_new(p, K_REFERENCE, where, where);
 	node->ref = reference.node;
 	node->name = reference.name;
@@ -219,6 +230,7 @@ struct node_list scene_add(
 {
 	const struct parse_options *o = p->options;
 	const struct node_list list = list_add(statements, statement);
+	p->parts_read = 0;
 	/* A token that was read ahead may be part of the next statement. */
 	if (!o->statements || ahead || p->keeps_tree || arena_used(p->tree) < PASSING_BYTES)
 		return list;

@@ -22,7 +22,9 @@
 
 enum {
 	REFERENCE_LEVELS = 4000, /* of declared values that use declared values */
-	NESTED_PARSES = 200,	 /* active at once; more is an error (checked where parses begin) */
+	REFERENCE_PARTS =
+		10000000,    /* declared values that one statement uses, each as often as it is */
+	NESTED_PARSES = 200, /* active at once; more is an error (checked where parses begin) */
 };
 
 /* How bytes above 127 in string literals are read; global_settings { charset … } sets it. */
@@ -54,6 +56,10 @@ struct parser {
 	 * follows references later recurses as deep. */
 	struct pointer_map reference_levels;
 	uintptr_t levels_read;
+	/* The same for the number of references: each object used is made anew, and a union made of
+	 * itself twice, a few dozen times over, is more than any memory can hold. */
+	struct pointer_map reference_parts;
+	uintptr_t parts_read;
 
 	/* Random streams: seed() appends a state, rand() advances one. memory_grow'n, freed at
 	 * the end of the parse. */

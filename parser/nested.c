@@ -94,14 +94,16 @@ bool parse_string(struct parser *p, const char **text, bool file_name)
 	return true;
 }
 
-static void remember_levels(struct parser *p, const struct value *value)
+static void remember_references(struct parser *p, const struct value *value)
 {
 	if (p->levels_read == 0)
 		return;
-	if (value->kind == VALUE_NODE && !pointer_map_find(&p->reference_levels, value->node))
+	if (value->kind == VALUE_NODE && !pointer_map_find(&p->reference_levels, value->node)) {
 		pointer_map_add(&p->reference_levels, value->node, (void *)p->levels_read);
+		pointer_map_add(&p->reference_parts, value->node, (void *)p->parts_read);
+	}
 	for (size_t i = 0; value->kind == VALUE_ARRAY && i < value->array->count; i++)
-		remember_levels(p, &value->array->elements[i]);
+		remember_references(p, &value->array->elements[i]);
 }
 
 /* A value cannot begin with the vector t. */
@@ -131,14 +133,15 @@ bool parse_declared(struct parser *p, struct value *value)
 		return false;
 	if (quick_value(p, value) || (expand_settle(p) && quick_value(p, value)))
 		return true;
-	const uintptr_t around = p->levels_read;
-	p->levels_read = 0;
+	const uintptr_t around = p->levels_read, parts_around = p->parts_read;
+	p->levels_read = p->parts_read = 0;
 	const bool fine = start_run(p, &run, T_START_DECLARED);
 	if (fine) {
 		*value = run.value;
-		remember_levels(p, value);
+		remember_references(p, value);
 	}
 	p->levels_read = around;
+	p->parts_read = parts_around;
 	return fine;
 }
 

@@ -189,5 +189,6 @@ const struct ast *parse_scene(const char *path, const char *text, size_t size,
 	expand_destroy(p.expand);
 	free(p.seeds);
 	pointer_map_release(&p.reference_levels);
+	pointer_map_release(&p.reference_parts);
 	return ast;
 }

@@ -373,20 +373,35 @@ static struct draft *draft_complete(struct lowering *l, const struct node *n)
 	return d;
 }
 
+/* Drafts a declared object to be copied from. What there is to say was said at its first use. */
+static struct draft *draft_to_keep(struct lowering *l, const struct node *n)
+{
+	struct arena *const before = lowering_keep(l);
+	const bool muted = diag_mute(l->diag, true);
+	struct draft *d = draft_complete(l, n);
+	diag_mute(l->diag, muted);
+	l->states = before;
+	return d;
+}
+
+/* Many a declared object is used once, such as each state of a union that a loop makes of itself and
+ * one object more: only from its second use on there is a draft to copy from. */
 struct draft *draft_from_node(struct lowering *l, const struct node *item)
 {
+	static const struct draft used_once;
 	if (item->keyword != K_REFERENCE)
 		return draft_complete(l, item);
 	const struct node *n = node_resolve(item);
 	const struct draft *declared = pointer_map_find(&l->drafts, n);
 	if (!declared) {
-		struct arena *const before = lowering_keep(l);
-		struct draft *fresh = draft_complete(l, n);
-		l->states = before;
-		if (!fresh)
+		pointer_map_add(&l->drafts, n, (void *)(uintptr_t)&used_once);
+		return draft_complete(l, n);
+	}
+	if (declared == &used_once) {
+		declared = draft_to_keep(l, n);
+		if (!declared)
 			return NULL;
-		pointer_map_add(&l->drafts, n, fresh);
-		declared = fresh;
+		pointer_map_add(&l->drafts, n, (void *)(uintptr_t)declared);
 	}
 	return draft_copy(l, declared);
 }
