@@ -636,7 +636,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %type <real> float
 %type <start> one two three four sums vectors entry_values
 %type <text> string string_function
-%type <colour> colour marked_colour bare_colour colour_items colour_words
+%type <colour> colour marked_colour worded_colour bare_colour colour_items colour_words
 %type <number> rgb rgb_or_black five
 %type <parts> parts
 %type <pair> entry_colours
@@ -813,7 +813,10 @@ colour:
 /* A colour that shows itself by its first word. */
 marked_colour:
 	  colour_words
-	| KW_COLOR %prec ENDS { $$ = colour_black(); }
+	| worded_colour
+	;
+worded_colour:
+	  KW_COLOR %prec ENDS { $$ = colour_black(); }
 	| KW_COLOR colour_items { $$ = $2; }
 	;
 /* An expression that is a colour without saying so: it must have been declared as one. */
@@ -1853,12 +1856,15 @@ color_entries:
 	| color_entries color_entry { $$ = list_join($1, $2); }
 	;
 color_entry:
-	  '[' sums oc entry_colours ']' { $$ = colour_map_entry(p, @$, $2, $4); }
+	  '[' sums entry_colours ']' { $$ = colour_map_entry(p, @$, $2, $3); }
+	| '[' sums ',' ']' { $$ = colour_map_entry(p, @$, $2, NULL); }
+	| '[' sums ',' marked_colour ']'
+		{ $$ = colour_map_entry(p, @$, $2, colour_pair(p, $4, NULL)); }
 	;
 entry_colours:
 	  %empty { $$ = NULL; }
 	| marked_colour %prec ENDS { $$ = colour_pair(p, $1, NULL); }
-	| marked_colour marked_colour %prec ENDS { $$ = colour_pair(p, $1, &$2); }
+	| marked_colour worded_colour %prec ENDS { $$ = colour_pair(p, $1, &$2); }
 	;
 entry_values:
 	  %empty { $$ = args_height(p); }

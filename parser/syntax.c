@@ -99,7 +99,7 @@ static bool name_fits(const void *context, const struct name *name)
 static bool name_fits_in_block(const void *context, const struct name *name)
 {
 	(void)context;
-	return name->keyword != K_NONE || name->binding;
+	return name->keyword != K_NONE ? !is_directive(name->keyword) : name->binding != NULL;
 }
 
 static void report_name(
