@@ -22,8 +22,7 @@ enum draft_kind {
 /* An interior under construction; shared by the children of a CSG object. */
 struct draft_interior {
 	struct interior data;
-	bool has_ior;
-	const struct interior *finished;
+	struct interior *finished; /* NULL: no leaf yet */
 };
 
 /* A texture under construction and its finished form. */

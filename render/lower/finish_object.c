@@ -13,6 +13,7 @@ struct heritage {
 	struct looks *texture, *interior_texture;
 	struct draft_interior *interior;
 	struct draft_interior **fallback; /* of the whole statement: made when first needed */
+	bool in_compound;		  /* the fallback is shared with others */
 	bool uv_mapping, no_shadow, no_image, no_reflection;
 	const struct light *const *lights;
 	bool global_lights;
@@ -87,30 +88,35 @@ static struct heritage inherit(const struct heritage *parent, const struct draft
 		h.interior_texture = d->interior_texture;
 	if (d->interior)
 		h.interior = d->interior;
+	h.in_compound |= d->kind == DRAFT_CSG || d->kind == DRAFT_TEXT;
 	h.no_shadow |= d->no_shadow;
 	h.no_image |= d->no_image;
 	h.no_reflection |= d->no_reflection;
 	return h;
 }
 
-static const struct interior *finish_interior(struct lowering *l, struct draft_interior *i,
-	const struct draft *d, const struct looks *looks)
+/*
+ * All leaves without an interior of their own share their compound's, and each sets its `hollow` and
+ * the obsolete ior and caustics of its finish there: what the last leaf says holds for all of them, as
+ * in POV-Ray.
+ */
+static const struct interior *finish_interior(
+	struct lowering *l, struct draft_interior *i, bool hollow, const struct looks *looks)
 {
-	if (i->finished)
-		return i->finished;
-	struct interior *finished = arena_copy(l->arena, &i->data, sizeof i->data);
 	double ior, caustics;
 	if (looks && looks->state && texture_state_interior(looks->state, &ior, &caustics)) {
-		finished->ior = ior > 0 ? ior : finished->ior;
-		finished->caustics = caustics != 0 ? caustics : finished->caustics;
+		i->data.ior = ior > 0 ? ior : i->data.ior;
+		i->data.caustics = caustics != 0 ? caustics : i->data.caustics;
 	}
-	finished->hollow = d->hollow;
-	i->finished = finished;
-	return finished;
+	i->data.hollow = hollow;
+	if (!i->finished)
+		i->finished = ARENA_NEW(l->arena, struct interior);
+	*i->finished = i->data;
+	return i->finished;
 }
 
-/* Opaque objects are never entered, so those without an interior of their own can share one. */
-static const struct interior *shared_interior(struct lowering *l, bool hollow)
+/* Opaque objects are never entered, so those that share with nobody need none of their own. */
+static const struct interior *plain_interior(struct lowering *l, bool hollow)
 {
 	struct interior **slot = &l->plain_interior[hollow];
 	if (!*slot) {
@@ -126,12 +132,12 @@ static const struct interior *interior_of(struct lowering *l, const struct draft
 	const struct heritage *h, const struct texture *texture)
 {
 	if (h->interior)
-		return finish_interior(l, h->interior, d, h->texture);
-	if (texture->opaque)
-		return shared_interior(l, d->hollow);
+		return finish_interior(l, h->interior, d->hollow, h->texture);
+	if (texture->opaque && !h->in_compound)
+		return plain_interior(l, d->hollow);
 	if (!*h->fallback)
 		*h->fallback = lower_interior(l, NULL, NULL);
-	return finish_interior(l, *h->fallback, d, h->texture);
+	return finish_interior(l, *h->fallback, d->hollow, h->texture);
 }
 
 static uint32_t visibility(const struct heritage *h, bool opaque)

@@ -203,7 +203,6 @@ static void interior_item(struct lowering *l, const struct node *item, struct dr
 	switch (item->keyword) {
 	case K_IOR:
 		i->data.ior = lower_float(l, item, 0, "an index");
-		i->has_ior = true;
 		break;
 	case K_CAUSTICS:
 		i->data.caustics = 45 * lower_float(l, item, 0, "a strength");
