@@ -93,6 +93,8 @@ void lower_fog(struct lowering *, const struct node *);
 void lower_sky_sphere(struct lowering *, const struct node *);
 void lower_background(struct lowering *, const struct node *);
 void lower_global_settings(struct lowering *, const struct node *);
+/* One item of global_settings; old scenes have some at the top level. */
+void lower_setting(struct lowering *, const struct node *item);
 /* Before the first statement: the defaults. */
 void settings_begin(struct lowering *);
 

@@ -36,7 +36,7 @@ static bool is_read_elsewhere(enum keyword k)
 	}
 }
 
-static void setting(struct lowering *l, const struct node *item)
+void lower_setting(struct lowering *l, const struct node *item)
 {
 	struct settings *s = &l->scene->settings;
 	switch (item->keyword) {
@@ -76,7 +76,7 @@ static void setting(struct lowering *l, const struct node *item)
 void lower_global_settings(struct lowering *l, const struct node *n)
 {
 	for (const struct node *item = n->children; item; item = item->next)
-		setting(l, item);
+		lower_setting(l, item);
 }
 
 /* The curve between the numbers of the scene and linear light. */
