@@ -8,6 +8,9 @@
 
 #define RADIANS_PER_DEGREE 0.017453292519943296
 
+/* Lights of one grid: every thread keeps one value for each. */
+enum { AREA_LIGHTS_MAX = 1 << 22 };
+
 static void set_type(struct light *light, enum light_type type)
 {
 	light->type = type;
@@ -41,6 +44,10 @@ static void read_area(struct lowering *l, const struct node *item, struct light 
 	if (light->area_count_u < 1 || light->area_count_v < 1)
 		diag_error(
 			l->diag, item->span, "area_light: the number of lights must be at least 1");
+	else if (light->area_count_u > AREA_LIGHTS_MAX / light->area_count_v)
+		diag_error(l->diag, item->span,
+			"area_light: %d by %d lights are too many, at most %d are possible",
+			light->area_count_u, light->area_count_v, AREA_LIGHTS_MAX);
 }
 
 static bool read_number(struct lowering *l, const struct node *item, struct light *light)
