@@ -4,9 +4,6 @@
 #include "names.h"
 #include "setup.h"
 
-#include <errno.h>
-#include <string.h>
-
 static int print_ast(struct options *o)
 {
 	struct messages messages;
@@ -19,11 +16,6 @@ static int print_ast(struct options *o)
 		ok = lambert_scene_print_ast(names_scene(o), &options, stdout);
 	}
 	messages_finish(&messages);
-	if (fflush(stdout) != 0) {
-		fprintf(stderr, "lambert: error: the tree cannot be written: %s\n",
-			strerror(errno));
-		ok = false;
-	}
 	return ok ? STATUS_OK : STATUS_ERROR;
 }
 

@@ -6,7 +6,7 @@
  * may take as long as one block of the picture. Who asks twice does not want to
  * wait for that.
  */
-#include "progress.h"
+#include "interrupt.h"
 
 #include <signal.h>
 #include <unistd.h>
@@ -28,12 +28,11 @@ void interrupt_init(void)
 	sigemptyset(&action.sa_mask);
 	for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
 		sigaction(signals[i], &action, NULL);
-	deferred = 0;
 }
 
-void interrupt_defer(void)
+void interrupt_defer(bool on)
 {
-	deferred = 1;
+	deferred = on;
 }
 
 bool interrupt_requested(void)

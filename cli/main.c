@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The command line: chooses the subcommand; without one, it is render. */
 #include "commands.h"
+#include "interrupt.h"
 
 #include "lambert/lambert.h"
 
+#include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 static const struct {
@@ -42,10 +45,8 @@ static int run(const char *name, int (*command)(int argc, char **argv), int argc
 	return asks_for_help(argc, argv) ? usage_print(name) : command(argc, argv);
 }
 
-int main(int argc, char **argv)
+static int dispatch(int argc, char **argv)
 {
-	argc--;
-	argv++;
 	if (argc == 0 || is_help(argv[0]))
 		return usage_print("");
 	if (strcmp(argv[0], "help") == 0)
@@ -58,4 +59,22 @@ int main(int argc, char **argv)
 		if (strcmp(argv[0], commands[i].name) == 0)
 			return run(commands[i].name, commands[i].run, argc - 1, argv + 1);
 	return run("render", command_render, argc, argv);
+}
+
+/* Whether everything that was printed has arrived. */
+static bool output_complete(void)
+{
+	errno = 0;
+	if (fflush(stdout) == 0 && !ferror(stdout))
+		return true;
+	fprintf(stderr, "lambert: error: standard output cannot be written%s%s\n",
+		errno ? ": " : "", errno ? strerror(errno) : "");
+	return false;
+}
+
+int main(int argc, char **argv)
+{
+	interrupt_init();
+	const int status = dispatch(argc - 1, argv + 1);
+	return output_complete() || status != STATUS_OK ? status : STATUS_ERROR;
 }

@@ -5,6 +5,8 @@
  */
 #include "progress.h"
 
+#include "interrupt.h"
+
 #include <math.h>
 #include <string.h>
 #include <sys/ioctl.h>

@@ -28,11 +28,4 @@ void progress_finish(struct progress *);
 /* Seconds since some moment. */
 double progress_clock(void);
 
-/* From now on SIGINT, SIGTERM, SIGQUIT and SIGPIPE ask for an end: at once with status 2 as long
- * as nothing is under way, later as soon as progress_step sees it, or at the second signal. */
-void interrupt_init(void);
-/* From here on there is something to clean up. */
-void interrupt_defer(void);
-bool interrupt_requested(void);
-
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* lambert [render] scene.pov: a scene, or the frames of an animation, to pictures. */
 #include "commands.h"
+#include "interrupt.h"
 #include "names.h"
 #include "progress.h"
 #include "setup.h"
@@ -80,7 +81,7 @@ static int run(struct job *job, const struct frames *frames, int frame, double s
 {
 	if (!load(job, frames, frame))
 		return STATUS_ERROR;
-	interrupt_defer();
+	interrupt_defer(true);
 	const int status = trace(job);
 	if (status != STATUS_OK)
 		return status;
@@ -102,7 +103,7 @@ static int render_frame(struct options *o, const struct frames *frames, int fram
 			return STATUS_ERROR;
 	}
 	job.scene_path = names_scene(o);
-	interrupt_init();
+	interrupt_defer(false);
 	int status = STATUS_ERROR;
 	if (messages_init(&job.messages, o, job.picture, frame > frames->first))
 		status = run(&job, frames, frame, start);
