@@ -31,7 +31,7 @@ struct diag {
 	struct source *sources;
 	struct site *sites;
 	size_t source_count, site_count, site_room;
-	unsigned errors, warnings;
+	unsigned errors;
 	bool muted;
 	char *lines[CHAIN_MAX + 1]; /* the text of the places being shown */
 };
@@ -125,8 +125,6 @@ static void deliver(
 	vsnprintf(text, sizeof text, format, args);
 	if (severity == SEVERITY_ERROR)
 		d->errors++;
-	if (severity == SEVERITY_WARNING)
-		d->warnings++;
 	struct place chain[CHAIN_MAX];
 	size_t length = 0;
 	for (uint32_t site = where.site; site && site <= d->site_count && length < CHAIN_MAX;) {
@@ -144,14 +142,6 @@ static void deliver(
 		.chain_length = length,
 	};
 	d->sink(d->user, &m);
-}
-
-void diag_report(struct diag *d, enum severity severity, span where, const char *format, ...)
-{
-	va_list args;
-	va_start(args, format);
-	deliver(d, severity, where, format, args);
-	va_end(args);
 }
 
 void diag_error(struct diag *d, span where, const char *format, ...)
@@ -188,9 +178,4 @@ bool diag_mute(struct diag *d, bool muted)
 unsigned diag_errors(const struct diag *d)
 {
 	return d->errors;
-}
-
-unsigned diag_warnings(const struct diag *d)
-{
-	return d->warnings;
 }

@@ -53,8 +53,6 @@ uint32_t diag_add_source(struct diag *, const char *name, const char *bytes, siz
  * `context` as in struct place, static or outliving the diag. Returns the new site. */
 uint32_t diag_add_site(struct diag *, span call, const char *context);
 
-void diag_report(struct diag *, enum severity, span where, const char *format, ...)
-	__attribute__((format(printf, 4, 5)));
 void diag_error(struct diag *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 void diag_warning(struct diag *, span where, const char *format, ...)
@@ -69,7 +67,6 @@ bool diag_mute(struct diag *, bool);
 
 /* Errors reported so far. */
 unsigned diag_errors(const struct diag *);
-unsigned diag_warnings(const struct diag *);
 
 /* Fills `file`, `line`, `column`, `text` of a place; strings valid until the next call. */
 struct place diag_place(struct diag *, span);

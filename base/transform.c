@@ -63,20 +63,6 @@ transform transform_rotate(vec3 degrees)
 	return transform_compose(&xy, &z);
 }
 
-transform transform_rotate_about(vec3 k, double radians)
-{
-	const double c = cos(radians), s = sin(radians);
-	const double r[3][3] = {
-		{ k.x * k.x + c * (1 - k.x * k.x), k.x * k.y * (1 - c) + k.z * s,
-			k.x * k.z * (1 - c) - k.y * s },
-		{ k.x * k.y * (1 - c) - k.z * s, k.y * k.y + c * (1 - k.y * k.y),
-			k.y * k.z * (1 - c) + k.x * s },
-		{ k.x * k.z * (1 - c) + k.y * s, k.y * k.z * (1 - c) - k.x * s,
-			k.z * k.z + c * (1 - k.z * k.z) },
-	};
-	return from_rotation(r);
-}
-
 /* Inverse by cofactors over the determinant. */
 static bool invert_rows(double m[4][3], double out[4][3])
 {

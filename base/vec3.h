@@ -81,10 +81,6 @@ static inline vec3 vec_max(vec3 a, vec3 b)
 {
 	return vec(fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z));
 }
-static inline vec3 vec_lerp(vec3 a, vec3 b, double t)
-{
-	return vec_mad(a, t, vec_sub(b, a));
-}
 
 static inline vec3 ray_at(ray r, double t)
 {

@@ -36,7 +36,6 @@ struct render_hooks {
 	/* The turbulence vector of vturbulence(). */
 	bool (*turbulence)(void *user, double lambda, double omega, int octaves, const double p[3],
 		int noise_generator, double result[3]);
-	/* See language.md: functions evaluated while reading use the version then in force. */
 };
 
 struct parse_options {
@@ -82,8 +81,8 @@ const struct ast *parse_scene(const char *path, const char *text, size_t size,
 void ast_print_json(const struct ast *, struct diag *, FILE *);
 
 /* Finds a file as the language does: as written, then in each library path, with the extensions
- * tried in order (NULL-terminated list, see language.md 6.2). Falls back, with *courtesy set, to the
- * scene's folder, other letter case and backslashes. NULL if there is none. */
+ * tried in order (a NULL-terminated list). Falls back, with *courtesy set, to the scene's folder, other
+ * letter case and backslashes. NULL if there is none. */
 const char *file_find(const struct parse_options *, const char *name, const char *const *extensions,
 	bool *courtesy, struct arena *);
 

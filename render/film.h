@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The film: a picture of float pixels, and the loop that exposes it: 32 x 32
- * blocks over threads, with antialiasing as in shading.md section 11. One block
- * has one owner; nothing depends on the order of completion.
+ * blocks over threads, each pixel with as many samples as antialiasing
+ * asks for. One block has one owner; nothing depends on the order of completion.
  */
 #ifndef LAMBERT_RENDER_FILM_H
 #define LAMBERT_RENDER_FILM_H

@@ -55,12 +55,9 @@ static void rank_objects(struct scene *scene)
 
 static void set_flags(struct scene *scene)
 {
-	const uint32_t seen = RAY_CAMERA | RAY_REFLECTED | RAY_SECONDARY;
-	for (size_t i = 0; i < scene->object_count; i++) {
-		const uint32_t kinds = scene->objects[i]->visible_to;
-		scene->has_tinted_shadows |= (kinds & RAY_SHADOW_TINTED) != 0;
-		scene->has_reflection_flags |= (kinds & seen) != seen;
-	}
+	for (size_t i = 0; i < scene->object_count; i++)
+		scene->has_tinted_shadows |=
+			(scene->objects[i]->visible_to & RAY_SHADOW_TINTED) != 0;
 }
 
 void scene_commit(struct scene *scene, unsigned threads)

@@ -107,8 +107,7 @@ struct scene {
 
 	/* made by scene_commit */
 	struct accel *accel;
-	bool has_tinted_shadows;   /* some object casts a shadow that is not opaque */
-	bool has_reflection_flags; /* some object is not visible to all rays */
+	bool has_tinted_shadows; /* some object casts a shadow that is not opaque */
 };
 
 struct scene *scene_create(void);

@@ -81,7 +81,7 @@ struct shape_class {
 	const struct param *params; /* NULL: lowering has its own file for this shape */
 	bool is_patch;		    /* has no inside */
 	bool is_compound;	    /* children are objects and hits already name their leaf */
-	bool is_convex;     /* holds every segment between two of its points */
+	bool is_convex;		    /* holds every segment between two of its points */
 	bool keeps_normal_inverted; /* `inverse` does not negate the raw normal (plane, quadric) */
 
 	/* Checks the parameters and derives what tracing needs. NULL: nothing to do. */
@@ -108,7 +108,8 @@ struct shape_class {
 	/* For unbounded shapes: half-spaces that hold the inside and what is hit, at most
 	 * SHAPE_HALF_SPACES; their count. */
 	size_t (*half_spaces)(const void *self, struct half_space *);
-	/* On-surface points as in objects.md 8.2. NULL for patches. */
+	/* Whether a point of the surface counts is the language's choice, shape by shape. NULL for
+	 * patches. */
 	bool (*inside)(const void *self, vec3 p);
 	/* Outward, any length. */
 	vec3 (*normal)(const void *self, const struct hit *, vec3 p);

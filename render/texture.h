@@ -79,18 +79,11 @@ struct layer {
 /* A plain texture has layers, top layer first; a patterned one is resolved to plain ones. */
 struct texture {
 	bool opaque;	    /* casts a full shadow; nothing behind it is ever seen */
-	bool may_transmit;  /* a ray may go on behind the surface somewhere */
 	bool uses_uv;	    /* evaluate at (u, v, 0): object uv_mapping */
 	size_t layer_count; /* 0: patterned */
 	const struct layer *layers;
 	const struct texture_map *map; /* of a patterned texture */
 };
-
-/* Whether a ray may continue behind the surface. */
-static inline bool texture_may_transmit(const struct texture *texture)
-{
-	return texture->may_transmit;
-}
 
 /* A plain texture that takes part in a shading point. */
 struct texture_part {

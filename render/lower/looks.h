@@ -52,7 +52,6 @@ void pattern_state_move(struct lowering *, struct pattern_state *, const transfo
 const struct warp_step *lower_warp(
 	struct lowering *, const struct node *, const struct warp_step *before);
 void pattern_build(struct lowering *, const struct pattern_state *, struct pattern *out);
-int clamp_octaves(double octaves);
 
 /* ---- maps: lower_map.c ---- */
 

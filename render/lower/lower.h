@@ -73,6 +73,8 @@ struct arena *lowering_keep(struct lowering *);
 double lower_float(struct lowering *, const struct node *, uint32_t index, const char *what);
 /* A float argument without its fraction, as near as an int can be; not a number counts as 0. */
 int lower_int(struct lowering *, const struct node *, uint32_t index, const char *what);
+/* octaves N: 1 to 10. */
+int lower_octaves(struct lowering *, const struct node *);
 vec3 lower_vector(struct lowering *, const struct node *, uint32_t index, const char *what);
 colour lower_colour(struct lowering *, const struct node *, uint32_t index);
 rgb lower_rgb(struct lowering *, const struct node *, uint32_t index, const char *what);

@@ -18,11 +18,6 @@ static const struct fog fog_defaults = {
 	.lambda = 2,
 };
 
-static int clamp_octaves(double octaves)
-{
-	return octaves < 1 ? 1 : octaves > 10 ? 10 : (int)octaves;
-}
-
 static void fog_type(struct lowering *l, const struct node *item, struct fog *f)
 {
 	const int type = lower_int(l, item, 0, "1 or 2");
@@ -79,7 +74,7 @@ static void fog_item(struct lowering *l, const struct node *item, struct fog *f)
 		f->turb_depth = lower_float(l, item, 0, "a depth");
 		break;
 	case K_OCTAVES:
-		f->octaves = clamp_octaves(lower_float(l, item, 0, "a number"));
+		f->octaves = lower_octaves(l, item);
 		break;
 	case K_OMEGA:
 		f->omega = (float)lower_float(l, item, 0, "a number");

@@ -20,11 +20,6 @@ const struct pattern_state pattern_state_fresh = {
 	.exponent = 1,
 };
 
-int clamp_octaves(double octaves)
-{
-	return octaves < 1 ? 1 : octaves > 10 ? 10 : (int)octaves;
-}
-
 /* ---- parameters ---- */
 
 /* The instance is copied before it is changed: others may share it. */
@@ -326,7 +321,7 @@ bool pattern_state_modify(struct lowering *l, struct pattern_state *s, const str
 		s->has_turbulence = true;
 		return true;
 	case K_OCTAVES:
-		s->turbulence.octaves = clamp_octaves(lower_float(l, item, 0, "a number"));
+		s->turbulence.octaves = lower_octaves(l, item);
 		s->has_turbulence = true;
 		return true;
 	case K_OMEGA:

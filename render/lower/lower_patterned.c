@@ -144,7 +144,7 @@ void patterned_build(struct lowering *l, const struct patterned_state *s, struct
 		for (size_t i = 0; i < count; i++)
 			textures[i] = texture_build(l, s->map->items[i], false);
 	}
+	out->opaque = true;
 	for (size_t i = 0; i < count; i++)
-		out->may_transmit |= textures[i]->may_transmit;
-	out->opaque = !out->may_transmit;
+		out->opaque &= textures[i]->opaque;
 }

@@ -332,7 +332,6 @@ static void build_layers(struct lowering *l, const struct texture_spec *spec, st
 	}
 	out->layers = layers;
 	out->layer_count = spec->count;
-	out->may_transmit = !out->opaque;
 }
 
 const struct texture *texture_build(struct lowering *l, const struct texture_spec *spec, bool uv)

@@ -35,6 +35,12 @@ int lower_int(struct lowering *l, const struct node *n, uint32_t index, const ch
 	return v >= INT_MAX ? INT_MAX : v <= INT_MIN ? INT_MIN : v == v ? (int)v : 0;
 }
 
+int lower_octaves(struct lowering *l, const struct node *n)
+{
+	const int octaves = lower_int(l, n, 0, "a number");
+	return octaves < 1 ? 1 : octaves > 10 ? 10 : octaves;
+}
+
 vec3 lower_vector(struct lowering *l, const struct node *n, uint32_t index, const char *what)
 {
 	const struct number *v = number_at(l, n, index, what);

@@ -107,7 +107,7 @@ static struct warp turbulence_warp(struct lowering *l, const struct node *kind)
 	for (const struct node *item = kind->next; item; item = item->next)
 		switch (item->keyword) {
 		case K_OCTAVES:
-			t->octaves = clamp_octaves(lower_float(l, item, 0, "a number"));
+			t->octaves = lower_octaves(l, item);
 			break;
 		case K_OMEGA:
 			t->omega = (float)lower_float(l, item, 0, "a number");

