@@ -13,6 +13,7 @@ static bool is_csg_keyword(enum keyword k)
 	       k == K_COMPOSITE;
 }
 
+/* Every shape of the language, also those that are refused. Asked of each item: no search by name. */
 static bool is_primitive(enum keyword k)
 {
 	switch (k) {
