@@ -113,6 +113,7 @@ struct run {
 	unsigned braces;
 	bool closed;		  /* the last token closed the opening that was at `depth` */
 	enum quick_place next;	  /* whether the next token may begin a number */
+	unsigned items;		  /* enum quick_items that may begin there */
 	enum keyword word;	  /* the last token, if it was a keyword that is no value */
 	enum keyword word_before; /* and the one before it */
 	int token_before;	  /* the token before the last … */
@@ -357,7 +358,7 @@ void elements_add_inner(struct parser *, struct elements *, const struct element
 
 /* Ends a run; the token that was read ahead, if any, goes back to the directive layer. */
 void run_accept(struct parser *, struct run *, bool ahead);
-/* The last token, for messages: a sum that was read whole is taken back and its first token read. */
+/* The last token, for messages: what was read whole is taken back and its first token read. */
 const struct queued *run_unfold(struct parser *, struct run *);
 /* How the text calls the thing a token stands for, NULL: not by a name. */
 const char *token_name(const struct token_value *);

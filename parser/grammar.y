@@ -92,6 +92,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %token T_START_NUMBER T_START_DEFAULTS
 %token END 0 "the end of the text"
 %token <number> T_SUM "a value"
+%token <node> T_SHAPE "a primitive" T_MODIFIER "a modifier"
 %token <named> T_NUMBER "a number" T_VECTOR "a vector" T_COLOUR "a colour"
 %token <text> T_STRING "a string"
 %token <ref> T_OBJECT "an object identifier" T_TEXTURE "a texture identifier"
@@ -1147,7 +1148,10 @@ objects:
 	  %empty { $$ = list_none(); }
 	| objects object { $$ = list_add($1, $2); }
 	;
-object_block: object_statement { shape_check_items(p, $1); $$ = $1; } ;
+object_block:
+	  object_statement { shape_check_items(p, $1); $$ = $1; }
+	| T_SHAPE
+	;
 object_statement:
 	  KW_OBJECT '{' object modifiers '}'
 		{ $$ = node_block(p, K_OBJECT, @$, @1, list_join(list_one($3), $4)); }
@@ -1453,6 +1457,7 @@ modifier:
 	| KW_INTERIOR_TEXTURE '{' texture_body '}' { $$ = node_block(p, $1, @$, @1, $3); }
 	| interior
 	| material
+	| T_MODIFIER
 	| clip_word '{' clip_block '}' { $$ = node_block(p, $1, @$, @1, list_one($3)); }
 	| clip_word '{' clip_items '}' { $$ = node_block(p, $1, @$, @1, $3); }
 	| flag_word { $$ = node_new(p, $1, @$, @1); }

@@ -29,6 +29,7 @@ static bool start_run(struct parser *p, struct run *run, int start)
 	run->braces = 0;
 	run->word = run->word_before = K_NONE;
 	run->next = NEXT_NONE;
+	run->items = start == T_START_SCENE ? ITEMS_OBJECTS : ITEMS_NONE;
 	run->accepted = false;
 	const size_t height = g->arg_count;
 	/* A value read within a function body does not see the body's parameters. */

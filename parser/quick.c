@@ -22,35 +22,17 @@
 
 enum {
 	MAX_DEPTH = 50, /* nested brackets and signs; more is left to the grammar */
-	MAX_DRAWS = 8,	/* calls of rand() in one expression */
 	NO_KIND = 0,	/* behind the last token of the text; no raw kind */
 };
 
-/* One attempt. */
-struct quick {
-	struct parser *p;
-	const struct frame *frame;
-	const struct raw_token *at, *end;
-	unsigned depth;
-	/* What rand() has changed, to be put back if the attempt fails. */
-	struct draw {
-		size_t stream;
-		uint32_t state;
-	} draws[MAX_DRAWS];
-	unsigned draw_count;
-};
-
-static bool read_sum(struct quick *, struct number *);
-static bool read_full(struct quick *, struct number *);
-
-static unsigned next_kind(const struct quick *q)
+unsigned quick_next(const struct quick *q)
 {
 	return q->at < q->end ? q->at->kind : NO_KIND;
 }
 
-static bool skip(struct quick *q, unsigned kind)
+bool quick_skip(struct quick *q, unsigned kind)
 {
-	if (next_kind(q) != kind)
+	if (quick_next(q) != kind)
 		return false;
 	q->at++;
 	return true;
@@ -64,7 +46,8 @@ static struct value *read_element(struct quick *q, const struct array *a, const 
 	for (unsigned d = 0; d < a->dimensions; d++) {
 		struct number n;
 		size_t index;
-		if (!skip(q, '[') || !read_sum(q, &n) || n.terms != 1 || !skip(q, ']') ||
+		if (!quick_skip(q, '[') || !quick_read_sum(q, &n) || n.terms != 1 ||
+			!quick_skip(q, ']') ||
 			!identifier_index(q->p, n.v[0], a->size[d], name, NO_SPAN, &index))
 			return NULL;
 		at = at * a->size[d] + index;
@@ -72,8 +55,7 @@ static struct value *read_element(struct quick *q, const struct array *a, const 
 	return &a->elements[at];
 }
 
-/* Where the value of the variable or element that comes next is; NULL: gives up. */
-static struct value *read_variable(struct quick *q, const struct symbol **found)
+struct value *quick_read_variable(struct quick *q, const struct symbol **found)
 {
 	const struct name *name = &q->p->expand->names.list[q->at->payload];
 	const struct symbol *symbol = name->binding;
@@ -81,7 +63,7 @@ static struct value *read_variable(struct quick *q, const struct symbol **found)
 		return NULL;
 	struct value *slot = symbol->slot;
 	q->at++;
-	while (slot && slot->kind == VALUE_ARRAY && next_kind(q) == '[')
+	while (slot && slot->kind == VALUE_ARRAY && quick_next(q) == '[')
 		slot = read_element(q, slot->array, symbol->text);
 	*found = symbol;
 	return slot;
@@ -90,7 +72,7 @@ static struct value *read_variable(struct quick *q, const struct symbol **found)
 static bool read_identifier(struct quick *q, struct number *n)
 {
 	const struct symbol *symbol;
-	const struct value *slot = read_variable(q, &symbol);
+	const struct value *slot = quick_read_variable(q, &symbol);
 	if (!slot || (slot->kind != VALUE_NUMBER && slot->kind != VALUE_COLOUR))
 		return false;
 	*n = slot->number;
@@ -103,7 +85,7 @@ static bool read_identifier(struct quick *q, struct number *n)
 /* The streams of rand() go back if the attempt fails. */
 static bool note_draw(struct quick *q, const struct number *n)
 {
-	if (n->terms != 1 || q->draw_count == MAX_DRAWS)
+	if (n->terms != 1 || q->draw_count == QUICK_DRAWS)
 		return false;
 	const int stream = number_truncate(n->v[0]);
 	if (stream < 0 || (size_t)stream >= q->p->seed_count)
@@ -115,7 +97,7 @@ static bool note_draw(struct quick *q, const struct number *n)
 static bool read_float_function(struct quick *q, enum keyword word, struct number *n)
 {
 	q->at++;
-	if (!skip(q, '(') || !read_full(q, n) || !skip(q, ')') ||
+	if (!quick_skip(q, '(') || !quick_read_full(q, n) || !quick_skip(q, ')') ||
 		(word == K_RAND && !note_draw(q, n)))
 		return false;
 	*n = builtin_float(q->p, word, *n, NO_SPAN);
@@ -125,15 +107,15 @@ static bool read_float_function(struct quick *q, enum keyword word, struct numbe
 static bool read_list_function(struct quick *q, enum keyword word, struct number *n)
 {
 	q->at++;
-	if (!skip(q, '('))
+	if (!quick_skip(q, '('))
 		return false;
 	const size_t start = args_height(q->p);
 	do {
-		if (!read_sum(q, n))
+		if (!quick_read_sum(q, n))
 			return false;
 		args_push_number(q->p, *n, NO_SPAN);
-	} while (skip(q, ','));
-	if (!skip(q, ')'))
+	} while (quick_skip(q, ','));
+	if (!quick_skip(q, ')'))
 		return false;
 	*n = builtin_list(q->p, word, start, NO_SPAN);
 	return true;
@@ -217,23 +199,23 @@ static bool read_literal(struct quick *q, struct number *n)
 	q->at++;
 	do {
 		struct number term;
-		if (vector.terms == 5 || !read_sum(q, &term) || term.terms != 1)
+		if (vector.terms == 5 || !quick_read_sum(q, &term) || term.terms != 1)
 			return false;
 		vector.v[vector.terms++] = term.v[0];
-	} while (skip(q, ','));
+	} while (quick_skip(q, ','));
 	*n = vector;
-	return vector.terms >= 2 && skip(q, '>');
+	return vector.terms >= 2 && quick_skip(q, '>');
 }
 
 static bool read_group(struct quick *q, struct number *n)
 {
 	q->at++;
-	return read_full(q, n) && skip(q, ')');
+	return quick_read_full(q, n) && quick_skip(q, ')');
 }
 
 static bool read_operand(struct quick *q, struct number *n)
 {
-	switch (next_kind(q)) {
+	switch (quick_next(q)) {
 	case RAW_INTEGER:
 		*n = number_float(q->at++->payload);
 		return true;
@@ -280,7 +262,7 @@ static bool read_component(struct quick *q, struct number *n)
 {
 	if (!read_operand(q, n))
 		return false;
-	if (!skip(q, '.'))
+	if (!quick_skip(q, '.'))
 		return true;
 	if (q->at == q->end || !is_selector(q->at))
 		return false;
@@ -290,7 +272,7 @@ static bool read_component(struct quick *q, struct number *n)
 
 static bool read_signed(struct quick *q, struct number *n)
 {
-	const unsigned sign = next_kind(q);
+	const unsigned sign = quick_next(q);
 	if (sign != '-' && sign != '+' && sign != '!')
 		return read_component(q, n);
 	q->at++;
@@ -324,7 +306,7 @@ static bool read_product(struct quick *q, struct number *n)
 {
 	if (!read_signed(q, n))
 		return false;
-	for (unsigned op; (op = next_kind(q)) == '*' || op == '/';) {
+	for (unsigned op; (op = quick_next(q)) == '*' || op == '/';) {
 		struct number b;
 		q->at++;
 		if (!read_signed(q, &b))
@@ -338,7 +320,7 @@ static bool sum_of_products(struct quick *q, struct number *n)
 {
 	if (!read_product(q, n))
 		return false;
-	for (unsigned op; (op = next_kind(q)) == '+' || op == '-';) {
+	for (unsigned op; (op = quick_next(q)) == '+' || op == '-';) {
 		struct number b;
 		q->at++;
 		if (!read_product(q, &b))
@@ -367,7 +349,7 @@ static bool read_plain(struct quick *q, struct number *n)
 	return true;
 }
 
-static bool read_sum(struct quick *q, struct number *n)
+bool quick_read_sum(struct quick *q, struct number *n)
 {
 	if (read_plain(q, n))
 		return true;
@@ -402,12 +384,12 @@ static int relation_of(unsigned kind)
 
 static bool read_relation(struct quick *q, struct number *n)
 {
-	if (!read_sum(q, n))
+	if (!quick_read_sum(q, n))
 		return false;
-	for (int op; (op = relation_of(next_kind(q))) != 0;) {
+	for (int op; (op = relation_of(quick_next(q))) != 0;) {
 		struct number b;
 		q->at++;
-		if (!read_sum(q, &b))
+		if (!quick_read_sum(q, &b))
 			return false;
 		combine(q, op, n, &b);
 	}
@@ -418,7 +400,7 @@ static bool read_logic(struct quick *q, struct number *n)
 {
 	if (!read_relation(q, n))
 		return false;
-	for (unsigned op; (op = next_kind(q)) == '&' || op == '|';) {
+	for (unsigned op; (op = quick_next(q)) == '&' || op == '|';) {
 		struct number b;
 		q->at++;
 		if (!read_relation(q, &b))
@@ -428,16 +410,17 @@ static bool read_logic(struct quick *q, struct number *n)
 	return true;
 }
 
-static bool read_full(struct quick *q, struct number *n)
+bool quick_read_full(struct quick *q, struct number *n)
 {
 	if (!read_logic(q, n))
 		return false;
-	if (!skip(q, '?')) {
+	if (!quick_skip(q, '?')) {
 		*n = number_plain(*n);
 		return true;
 	}
 	struct number yes, no;
-	if (n->terms != 1 || !read_full(q, &yes) || !skip(q, ':') || !read_full(q, &no))
+	if (n->terms != 1 || !quick_read_full(q, &yes) || !quick_skip(q, ':') ||
+		!quick_read_full(q, &no))
 		return false;
 	*n = number_is_true(q->p, *n, NO_SPAN) ? yes : no;
 	return true;
@@ -445,7 +428,7 @@ static bool read_full(struct quick *q, struct number *n)
 
 /* -- Attempts ----------------------------------------------------------------------------- */
 
-static bool begin(struct quick *q, struct parser *p)
+bool quick_begin(struct quick *q, struct parser *p)
 {
 	struct expand *x = p->expand;
 	if (p->failed || p->options->no_short_ways || has_read_ahead(x))
@@ -462,9 +445,7 @@ static bool begin(struct quick *q, struct parser *p)
 	return true;
 }
 
-/* Ends the attempt. If it was good the text goes on behind it and the gate has seen one operand;
- * else all is as it was. */
-static bool finish(struct quick *q, bool good, size_t height)
+bool quick_finish(struct quick *q, bool good, size_t height)
 {
 	struct parser *p = q->p;
 	struct expand *x = p->expand;
@@ -517,18 +498,18 @@ static bool at_close(const struct quick *q)
 
 static bool begins_with_t(const struct quick *q)
 {
-	return next_kind(q) == RAW_KEYWORD && q->at->payload == (uint32_t)K_T;
+	return quick_next(q) == RAW_KEYWORD && q->at->payload == (uint32_t)K_T;
 }
 
 /* A value that is declared or an argument cannot begin with t. */
 static bool closed_sum(struct parser *p, struct number *n, bool value)
 {
 	struct quick q;
-	if (!begin(&q, p))
+	if (!quick_begin(&q, p))
 		return false;
 	const size_t height = args_height(p);
-	const bool ok = !(value && begins_with_t(&q)) && read_sum(&q, n) && at_close(&q);
-	if (!finish(&q, ok, height))
+	const bool ok = !(value && begins_with_t(&q)) && quick_read_sum(&q, n) && at_close(&q);
+	if (!quick_finish(&q, ok, height))
 		return false;
 	*n = number_plain(*n);
 	return true;
@@ -552,21 +533,20 @@ bool quick_float(struct parser *p, enum quick_level level, double *value)
 {
 	struct quick q;
 	struct number n;
-	if (!begin(&q, p))
+	if (!quick_begin(&q, p))
 		return false;
 	const size_t height = args_height(p);
-	const bool ok = level == QUICK_FULL ? read_full(&q, &n) : read_sum(&q, &n);
-	if (!finish(&q, ok && n.terms == 1 && at_close(&q), height))
+	const bool ok = level == QUICK_FULL ? quick_read_full(&q, &n) : quick_read_sum(&q, &n);
+	if (!quick_finish(&q, ok && n.terms == 1 && at_close(&q), height))
 		return false;
 	*value = n.v[0];
 	return true;
 }
 
-/* Whether the next token cannot continue a sum. */
-static bool at_end_of_sum(const struct quick *q)
+bool quick_ends_sum(const struct quick *q)
 {
 	const struct name *name;
-	switch (next_kind(q)) {
+	switch (quick_next(q)) {
 	case NO_KIND:
 	case RAW_ERROR:
 	case RAW_DIRECTIVE:
@@ -586,7 +566,7 @@ static bool at_end_of_sum(const struct quick *q)
 
 static bool may_begin(const struct quick *q, enum quick_place place)
 {
-	switch (next_kind(q)) {
+	switch (quick_next(q)) {
 	case RAW_INTEGER:
 	case RAW_NUMBER:
 	case RAW_NAME:
@@ -607,14 +587,14 @@ static bool may_begin(const struct quick *q, enum quick_place place)
 bool quick_sum(struct parser *p, enum quick_place place, struct number *n, span *where)
 {
 	struct quick q;
-	if (!begin(&q, p))
+	if (!quick_begin(&q, p))
 		return false;
 	const size_t height = args_height(p);
 	const struct raw_token *first = q.at;
-	const bool ok = may_begin(&q, place) && read_sum(&q, n) && at_end_of_sum(&q);
+	const bool ok = may_begin(&q, place) && quick_read_sum(&q, n) && quick_ends_sum(&q);
 	/* One word may be more than its value: a colour, the place of a vector, an axis. */
 	const bool plain = ok && (n->terms == 1 || q.at - first > 1);
-	if (!finish(&q, plain, height))
+	if (!quick_finish(&q, plain, height))
 		return false;
 	*where = raw_span_at(p, q.at - 1);
 	where->length += where->offset - first->offset;
@@ -626,14 +606,14 @@ bool quick_variable(struct parser *p, struct value **slot)
 {
 	struct quick q;
 	const struct symbol *symbol;
-	if (!begin(&q, p))
+	if (!quick_begin(&q, p))
 		return false;
 	const size_t height = args_height(p);
-	struct value *found = next_kind(&q) == RAW_NAME ? read_variable(&q, &symbol) : NULL;
+	struct value *found = quick_next(&q) == RAW_NAME ? quick_read_variable(&q, &symbol) : NULL;
 	const enum value_kind kind = found ? found->kind : VALUE_NONE;
 	const bool plain = kind == VALUE_NUMBER || kind == VALUE_COLOUR || kind == VALUE_STRING ||
 			   kind == VALUE_ARRAY;
-	if (!finish(&q, plain && at_close(&q), height))
+	if (!quick_finish(&q, plain && at_close(&q), height))
 		return false;
 	*slot = found;
 	return true;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The short way for numbers: reads plain expressions from the raw tokens, past
- * the grammar. Each function gives up (false) without a trace where the grammar
+ * The short way: reads plain expressions and items from the raw tokens, past the
+ * grammar. Each function gives up (false) without a trace where the grammar
  * is needed.
  */
 #ifndef LAMBERT_PARSER_QUICK_H
@@ -33,5 +33,50 @@ bool quick_sum(struct parser *, enum quick_place, struct number *, span *);
 /* A variable or an element of an array alone, before a comma or ')', which stays: where its value
  * is. */
 bool quick_variable(struct parser *, struct value **);
+
+/* quick_item.c: which items may stand next. */
+enum quick_items {
+	ITEMS_NONE = 0,
+	ITEMS_OBJECTS = 1,
+	ITEMS_MODIFIERS = 2,
+};
+/* A primitive, or a modifier of an object, that is written with plain numbers; its word and where that
+ * stands. *modifier: which of the two it is. */
+bool quick_item(struct parser *, unsigned items, struct node **, enum keyword *, span *word,
+	bool *modifier);
+
+/* -- between quick.c and quick_item.c -- */
+
+enum { QUICK_DRAWS = 8 }; /* calls of rand() in one attempt */
+
+/* One attempt. */
+struct quick {
+	struct parser *p;
+	const struct frame *frame;
+	const struct raw_token *at, *end;
+	unsigned depth;
+	/* What rand() has changed, to be put back if the attempt fails. */
+	struct draw {
+		size_t stream;
+		uint32_t state;
+	} draws[QUICK_DRAWS];
+	unsigned draw_count;
+};
+
+/* Whether one can be made at all. */
+bool quick_begin(struct quick *, struct parser *);
+/* Ends the attempt. If it was good the text goes on behind it and the gate has seen one operand;
+ * else all is as it was, and there are as many arguments as before. */
+bool quick_finish(struct quick *, bool good, size_t arguments_before);
+/* Kind of the next raw token, 0 behind the last of the text. */
+unsigned quick_next(const struct quick *);
+bool quick_skip(struct quick *, unsigned kind);
+/* A sum; a full expression. */
+bool quick_read_sum(struct quick *, struct number *);
+bool quick_read_full(struct quick *, struct number *);
+/* Whether the next token cannot continue a sum. */
+bool quick_ends_sum(const struct quick *);
+/* Where the value of the variable or element that comes next is; NULL: gives up. */
+struct value *quick_read_variable(struct quick *, const struct symbol **found);
 
 #endif

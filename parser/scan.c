@@ -87,6 +87,28 @@ static enum quick_place place_behind(
 	}
 }
 
+static bool is_csg(enum keyword word)
+{
+	return word == K_UNION || word == K_MERGE || word == K_INTERSECTION || word == K_DIFFERENCE;
+}
+
+/* The items that may begin behind a token. An object within a pigment or the like is a pattern, whose
+ * pigments are no modifiers. */
+static unsigned items_behind(const struct parser *p, const struct run *run, int token)
+{
+	if (token != '{' && token != '}' && token != T_SHAPE && token != T_MODIFIER)
+		return ITEMS_NONE;
+	if (!run->depth)
+		return run->start_token == T_START_SCENE ? ITEMS_OBJECTS : ITEMS_NONE;
+	const struct opening *open = &p->grammar->openings[run->base + run->depth - 1];
+	if (is_csg(open->keyword))
+		return ITEMS_OBJECTS | ITEMS_MODIFIERS;
+	if (open->keyword != K_OBJECT)
+		return ITEMS_NONE;
+	return run->depth == 1 || is_csg(open[-1].keyword) ? ITEMS_OBJECTS | ITEMS_MODIFIERS
+							   : ITEMS_OBJECTS;
+}
+
 static void note_token(struct parser *p, struct run *run, const struct queued *t)
 {
 	run->closed = false;
@@ -114,6 +136,11 @@ static void note_token(struct parser *p, struct run *run, const struct queued *t
 	run->word = is_constant(t->token) ? K_NONE : t->value.keyword;
 	run->word_span = t->where;
 	run->next = place_behind(p, run, t);
+	run->items = items_behind(p, run, t->token);
+	if (t->token == T_SHAPE || t->token == T_MODIFIER) {
+		run->word = K_NONE; /* it is complete */
+		run->next = NEXT_NONE;
+	}
 }
 
 /* -- The next token ----------------------------------------------------------------------- */
@@ -139,6 +166,23 @@ static bool next_sum(struct parser *p, struct run *run)
 	return true;
 }
 
+/* A whole item, behind the directives and macro calls before it. */
+static bool next_item(struct parser *p, struct run *run)
+{
+	struct queued *t = &run->present;
+	struct token_value *v = &t->value;
+	bool modifier;
+	if (run->items == ITEMS_NONE ||
+		(!quick_item(p, run->items, &v->made, &v->keyword, &t->where, &modifier) &&
+			!(expand_settle(p) && quick_item(p, run->items, &v->made, &v->keyword,
+						      &t->where, &modifier))))
+		return false;
+	t->token = modifier ? T_MODIFIER : T_SHAPE;
+	v->symbol = NULL;
+	v->name = NULL;
+	return true;
+}
+
 static void next_token(struct parser *p, struct run *run)
 {
 	struct queued *t = &run->present;
@@ -154,7 +198,8 @@ static void next_token(struct parser *p, struct run *run)
 
 const struct queued *run_unfold(struct parser *p, struct run *run)
 {
-	if (run->last->token == T_SUM) {
+	const int token = run->last->token;
+	if (token == T_SUM || token == T_SHAPE || token == T_MODIFIER) {
 		expand_back(p, run->last->where);
 		fetch(p, &run->present);
 	}
@@ -181,6 +226,10 @@ static void convert(GRAMMAR_STYPE *out, int token, const struct token_value *v)
 		break;
 	case T_SUM:
 		out->number = v->number;
+		break;
+	case T_SHAPE:
+	case T_MODIFIER:
+		out->node = v->made;
 		break;
 	case T_STRING:
 		out->text = (struct text_value){ v->string, v->raw ? v->raw : v->string };
@@ -219,7 +268,7 @@ int grammar_lex(GRAMMAR_STYPE *value, span *where, struct parser *p, struct run 
 	run->token_before = run->last ? run->last->token : 0;
 	run->where_before = run->present.where;
 	struct queued *t = &run->present;
-	if (!next_sum(p, run))
+	if (!next_item(p, run) && !next_sum(p, run))
 		next_token(p, run);
 	if (p->failed)
 		t->token = 0;

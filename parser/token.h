@@ -12,6 +12,8 @@
  *   T_SUM          a whole sum, from quick_sum only: number
  *   T_VECTOR       vector identifier of 2, 3 or 4 terms: number, symbol
  *   T_COLOUR       colour identifier: number of 5 terms, symbol
+ *   T_SHAPE        a whole primitive, from quick_item only: made, keyword
+ *   T_MODIFIER     a whole modifier of an object, from quick_item only: made, keyword
  *   T_STRING       string literal: string with escapes done, raw: as written; identifier: string
  *   T_OBJECT T_TEXTURE T_PIGMENT T_NORMAL T_FINISH T_MATERIAL T_INTERIOR
  *   T_MEDIA T_DENSITY T_CAMERA T_FOG T_RAINBOW T_SKY_SPHERE T_TRANSFORM
@@ -45,6 +47,7 @@ struct token_value {
 	struct number number;
 	const char *string, *raw, *name;
 	const struct node *node;
+	struct node *made;
 	const struct function *function;
 	const struct spline *spline;
 	struct symbol
