@@ -118,6 +118,13 @@ static bool run_gated(struct parser *p, enum keyword keyword, const struct direc
 	return ok && !p->failed;
 }
 
+/* Whether a directive that is faulty changes nothing but the names it declares. */
+static bool is_skippable(enum keyword keyword)
+{
+	return keyword == K_DECLARE || keyword == K_LOCAL || keyword == K_DEFAULT ||
+	       keyword == K_DEBUG || keyword == K_WARNING;
+}
+
 bool directive_run(struct parser *p)
 {
 	struct expand *x = p->expand;
@@ -125,6 +132,8 @@ bool directive_run(struct parser *p)
 	/* The lexer's array of directives is complete and does not move any more. */
 	const struct raw_token *raw = &f->tokens[f->position];
 	const struct directive *d = &f->source->directives[raw->payload];
+	if (x->gate == &x->scene_gate && !x->gate->depth)
+		x->statement.skippable = is_skippable(d->keyword);
 	raw_step(p);
 	return run_gated(
 		p, d->keyword, d, (span){ f->source->number, raw->offset, d->length, f->site });

@@ -87,6 +87,15 @@ struct unread {
 	struct token_value value;
 };
 
+/* Where the statement that is being read at the top level of the scene began, see recover.c. */
+struct statement_start {
+	unsigned frames;   /* up to the file it stands in */
+	unsigned began_in; /* and up to the macro that its first token comes from */
+	uint32_t position; /* in that file: its first token, or behind the call of the macro */
+	unsigned blocks;   /* open before it */
+	bool skippable;
+};
+
 /* Text on its way to a stream, until its line is complete. */
 struct text_line {
 	char *bytes;
@@ -109,7 +118,9 @@ struct expand {
 	struct unread unread[MAX_UNREAD];
 	unsigned unread_count;
 	unsigned nesting; /* of fetches within fetches */
-	size_t work;	  /* raw tokens read */
+	struct statement_start statement;
+	unsigned recoveries;
+	size_t work; /* raw tokens read */
 	struct text_line debug_line;
 	bool has_written;	     /* the scene wrote a file, which it may include later */
 	struct scene_file *files;    /* all opened, newest first */

@@ -26,12 +26,11 @@ static bool report_missing(struct parser *p, const char *name, span where)
 {
 	struct stat info;
 	if (!stat(name, &info) && S_ISDIR(info.st_mode))
-		parser_error(p, where, "'%s' is a folder: an include file is wanted", name);
+		parser_stop(p, where, "'%s' is a folder: an include file is wanted", name);
 	else if (name[0] == '/')
-		parser_error(p, where, "include file '%s' not found", name);
+		parser_stop(p, where, "include file '%s' not found", name);
 	else
-		parser_error(
-			p, where, "include file '%s' not found; looked in %s", name, places(p));
+		parser_stop(p, where, "include file '%s' not found; looked in %s", name, places(p));
 	return false;
 }
 
@@ -57,7 +56,7 @@ static bool include_file(struct parser *p, const char *name, span where)
 	if (!s && x->file_count < MAX_FILES) {
 		s = source_read(p->arena, p->diag, &x->names, path, false);
 		if (!s) {
-			parser_error(p, where, "cannot read %s: %s", path, strerror(errno));
+			parser_stop(p, where, "cannot read %s: %s", path, strerror(errno));
 			return false;
 		}
 		s->previous = x->sources;

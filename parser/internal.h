@@ -24,6 +24,7 @@ enum {
 	REFERENCE_LEVELS = 4000, /* of declared values that use declared values */
 	REFERENCE_PARTS =
 		10000000,    /* declared values that one statement uses, each as often as it is */
+	MOST_ERRORS = 20,    /* reported in one run */
 	NESTED_PARSES = 200, /* active at once; more is an error (checked where parses begin) */
 };
 
@@ -51,6 +52,11 @@ struct parser {
 
 	/* An error was reported: expand_next returns 0 from now on, nested parsers unwind. */
 	bool failed;
+	/* After this error nothing else is worth reading. */
+	bool stopped;
+	/* Errors reported. What is read again, in a macro, is not reported again. */
+	span reported[MOST_ERRORS];
+	unsigned error_count;
 
 	/* Levels of references below declared nodes (none: 0), and in the value being read: what
 	 * follows references later recurses as deep. */
@@ -75,13 +81,16 @@ struct parser {
 /* A fresh, writable copy of the language state that is in force from now on. */
 struct language_state *parser_change_state(struct parser *);
 
-/* Reports an error and ends the token stream. Only the first is shown: what follows an error is
- * mostly its consequence. */
+/* Reports an error and ends the token stream, so that what is its consequence is not shown. */
 void parser_error(struct parser *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
 /* Reports a warning of an expression. */
 void parser_warning(struct parser *, span where, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+
+/* The same, and nothing more is read. */
+void parser_stop(struct parser *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
 /* The error for a word that names nothing (T_UNDECLARED), with the nearest name that passes the

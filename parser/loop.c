@@ -12,7 +12,7 @@ bool loop_within_limit(struct parser *p, span where)
 	const size_t most = p->options->max_loop_tokens;
 	if (!most || ++p->expand->work <= most)
 		return true;
-	parser_error(
+	parser_stop(
 		p, where, "the loops of this scene do not seem to end: more than %zu tokens", most);
 	return false;
 }

@@ -105,7 +105,7 @@ bool message_run(struct parser *p, enum keyword stream, span where)
 		diag_warning(p->diag, where, "%s", one_line(p, text));
 		return true;
 	case K_ERROR:
-		parser_error(p, where, "%s", one_line(p, text));
+		parser_stop(p, where, "%s", one_line(p, text));
 		return false;
 	case K_DEBUG:
 		break;

@@ -17,6 +17,7 @@ struct name {
 	const char *text;
 	uint32_t length, hash;
 	enum keyword keyword;	/* K_NONE: not reserved */
+	bool lost;		/* its declaration was passed over behind an error */
 	unsigned hidden;	/* times it is a function parameter at the moment */
 	struct symbol *binding; /* innermost symbol of that name, NULL: none */
 };

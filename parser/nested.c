@@ -155,8 +155,12 @@ bool parse_defaults(struct parser *p)
 bool parse_statements(struct parser *p, const struct node **statements)
 {
 	struct run run;
-	if (!start_run(p, &run, T_START_SCENE))
-		return false;
+	bool good = true;
+	while (!start_run(p, &run, T_START_SCENE)) {
+		good = false;
+		if (!expand_recover(p))
+			return false;
+	}
 	*statements = run.list.first;
-	return true;
+	return good;
 }

@@ -21,21 +21,46 @@ struct language_state *parser_change_state(struct parser *p)
 	return state;
 }
 
-void parser_error(struct parser *p, span where, const char *format, ...)
+static bool was_reported(const struct parser *p, span where)
+{
+	for (unsigned i = 0; i < p->error_count; i++)
+		if (p->reported[i].source == where.source && p->reported[i].offset == where.offset)
+			return true;
+	return false;
+}
+
+static void report(struct parser *p, span where, const char *format, va_list args)
 {
 	if (p->trial)
 		p->refused = true;
 	if (p->failed || p->trial)
 		return;
 	char text[1024];
-	va_list args;
-	va_start(args, format);
 	vsnprintf(text, sizeof text, format, args);
-	va_end(args);
 	p->failed = true;
 	if (where.source == 0 && p->expand->frame_count)
 		where = raw_span(p); /* the place reached is better than none */
+	if (was_reported(p, where) || p->error_count == MOST_ERRORS)
+		return;
+	p->reported[p->error_count++] = where;
 	diag_error(p->diag, where, "%s", text);
+}
+
+void parser_error(struct parser *p, span where, const char *format, ...)
+{
+	va_list args;
+	va_start(args, format);
+	report(p, where, format, args);
+	va_end(args);
+}
+
+void parser_stop(struct parser *p, span where, const char *format, ...)
+{
+	va_list args;
+	va_start(args, format);
+	report(p, where, format, args);
+	va_end(args);
+	p->stopped = true;
 }
 
 void parser_warning(struct parser *p, span where, const char *format, ...)
@@ -56,8 +81,10 @@ void parser_error_undeclared(
 	struct parser *p, span where, const char *name, name_test *test, const void *context)
 {
 	struct names *names = &p->expand->names;
-	const struct symbol *symbol = names->list[names_intern(names, name, strlen(name))].binding;
-	if (symbol && symbol->entered)
+	const struct name *known = &names->list[names_intern(names, name, strlen(name))];
+	if (known->lost && p->error_count)
+		p->failed = true;
+	if (known->binding && known->binding->entered)
 		parser_error(p, where, "'%s' is used in its own declaration", name);
 	const char *nearest = p->failed ? NULL : names_nearest(names, name, test, context);
 	if (nearest)

@@ -80,6 +80,9 @@ const char *symbol_name(const struct symbol *);
 void expand_push_names(struct parser *, const char *const *names, size_t count);
 void expand_pop_names(struct parser *);
 
+/* After an error in the scene: on to the next statement, if that can be found. */
+bool expand_recover(struct parser *);
+
 /* -- Offered by the grammar to the directive layer: nested parses ------------------------- */
 /* Each begins at the next token, stops behind the construct and hands the lookahead back. False:
  * an error was reported. The `hold` rules of the gate are the directive layer's. */
