@@ -518,6 +518,22 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 	}
 }
 
+/* Between two statements of the scene, and before each token of theirs that stands outside of
+ * brackets. */
+static void note_statement(struct expand *x)
+{
+	unsigned frames = x->frame_count;
+	while (x->frames[frames - 1].is_macro)
+		frames--;
+	x->statement = (struct statement_start){
+		.frames = frames,
+		.began_in = x->frame_count,
+		.position = x->frames[frames - 1].position,
+		.blocks = frames < x->frame_count ? x->frames[frames].blocks : x->block_count,
+		.skippable = true,
+	};
+}
+
 /* Directives and macro calls read their own parts by the same way: `#if #if #if …` is a recursion
  * that must end. */
 static int fetch(struct parser *p, struct token_value *v, span *where)
@@ -527,6 +543,8 @@ static int fetch(struct parser *p, struct token_value *v, span *where)
 		parser_stop(p, raw_span(p), "directives and macro calls are nested too deeply");
 		return 0;
 	}
+	if (x->gate == &x->scene_gate && !x->gate->depth)
+		note_statement(x);
 	x->nesting++;
 	const int token = fetch_raw(p, v, where);
 	x->nesting--;
@@ -568,29 +586,11 @@ static bool take_unread(struct expand *x, int *token, struct token_value *v, spa
 	return true;
 }
 
-/* Between two statements of the scene, and before each token of theirs that stands outside of
- * brackets. */
-static void note_statement(struct expand *x)
-{
-	unsigned frames = x->frame_count;
-	while (x->frames[frames - 1].is_macro)
-		frames--;
-	x->statement = (struct statement_start){
-		.frames = frames,
-		.began_in = x->frame_count,
-		.position = x->frames[frames - 1].position,
-		.blocks = frames < x->frame_count ? x->frames[frames].blocks : x->block_count,
-		.skippable = true,
-	};
-}
-
 int expand_next(struct parser *p, struct token_value *v, span *where)
 {
 	struct expand *x = p->expand;
 	int token = -1;
 	while (token < 0 && !p->failed) {
-		if (x->gate == &x->scene_gate && !x->gate->depth)
-			note_statement(x);
 		if (!take_unread(x, &token, v, where)) {
 			*v = (struct token_value){ 0 };
 			token = fetch(p, v, where);

@@ -150,8 +150,8 @@ bool expand_recover(struct parser *p)
 {
 	struct expand *x = p->expand;
 	const struct statement_start start = x->statement;
-	if (p->stopped || !start.skippable || x->frame_count < start.began_in || is_in_loop(x) ||
-		p->error_count == MOST_ERRORS || ++x->recoveries > MOST_RECOVERIES)
+	if (p->stopped || !start.frames || !start.skippable || x->frame_count < start.began_in ||
+		is_in_loop(x) || p->error_count == MOST_ERRORS || ++x->recoveries > MOST_RECOVERIES)
 		return false;
 	struct frame *f = leave_inner_texts(p, start.frames);
 	struct walk w = { .frame = f, .at = start.position };
