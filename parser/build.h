@@ -236,6 +236,9 @@ struct number number_negate(struct number);
 struct number number_not(struct number);
 /* `op`: the operator's token. */
 struct number number_binary(struct parser *, int op, struct number, struct number, span);
+enum { COMPONENT_GRAY = 5 };
+/* 0 to 4, or COMPONENT_GRAY, of a word like x, u, red or gray. */
+unsigned component_index(enum keyword);
 struct number number_select(struct parser *, struct number, enum keyword component, span);
 /* A vector literal from the arguments above `start`. */
 struct number number_literal(struct parser *, size_t start, span);

@@ -335,28 +335,12 @@ const struct expr *expr_builtin(
 	return e;
 }
 
+/* Number of a component of a call; `hf` is one more than those of vectors. */
 static unsigned member_index(enum keyword word)
 {
-	switch (word) {
-	case K_Y:
-	case K_V:
-	case K_GREEN:
-		return 1;
-	case K_Z:
-	case K_BLUE:
-		return 2;
-	case K_T:
-	case K_FILTER:
-		return 3;
-	case K_TRANSMIT:
-		return 4;
-	case K_GRAY:
-		return 5;
-	case K_HF_GRAY_16: /* stands for `hf` */
-		return 6;
-	default:
+	if (word == K_NONE)
 		return 0;
-	}
+	return word == K_HF_GRAY_16 ? COMPONENT_GRAY + 1 : component_index(word);
 }
 
 enum keyword member_hf(struct parser *p, const char *name, span where)

@@ -147,7 +147,7 @@ struct number number_binary(struct parser *p, int op, struct number a, struct nu
 
 /* -- Components --------------------------------------------------------------------------- */
 
-static unsigned component_index(enum keyword component)
+unsigned component_index(enum keyword component)
 {
 	switch (component) {
 	case K_X:
@@ -167,7 +167,7 @@ static unsigned component_index(enum keyword component)
 	case K_TRANSMIT:
 		return 4;
 	default:
-		return 5; /* gray */
+		return COMPONENT_GRAY;
 	}
 }
 
@@ -175,7 +175,7 @@ struct number number_select(struct parser *p, struct number n, enum keyword comp
 {
 	const unsigned i = component_index(component);
 	const bool is_float = n.terms == 1;
-	const unsigned needed = i == 5 ? 3 : i + 1;
+	const unsigned needed = i == COMPONENT_GRAY ? 3 : i + 1;
 	if (is_float && i == 0) {
 		for (unsigned k = 1; k < 5; k++)
 			n.v[k] = n.v[0];
@@ -191,7 +191,7 @@ struct number number_select(struct parser *p, struct number n, enum keyword comp
 				n.terms, keyword_name(component));
 		return number_float(0);
 	}
-	n.v[0] = i == 5 ? 0.297 * n.v[0] + 0.589 * n.v[1] + 0.114 * n.v[2] : n.v[i];
+	n.v[0] = i == COMPONENT_GRAY ? 0.297 * n.v[0] + 0.589 * n.v[1] + 0.114 * n.v[2] : n.v[i];
 	for (unsigned k = n.terms; k < 5; k++)
 		n.v[k] = 0;
 	n.terms = 1;
