@@ -189,7 +189,9 @@ struct node *mesh2_list(struct parser *p, enum keyword keyword, span whole, span
 	double declared, span count_span, const struct doubles *d, unsigned stride)
 {
 	const size_t found = d->count / stride;
-	if (!(declared >= 1) || (size_t)declared != found)
+	if (!(declared >= 1))
+		parser_error(p, count_span, "%s needs at least one entry", keyword_name(keyword));
+	else if ((size_t)declared != found)
 		parser_error(p, count_span, "%s says %g entries, but %zu follow",
 			keyword_name(keyword), declared, found);
 	const size_t start = args_push_number(p, number_float(declared), count_span);

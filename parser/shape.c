@@ -6,6 +6,8 @@
  */
 #include "parser/build.h"
 
+#include <string.h>
+
 /* One line each: the letters of node_fit for the leading arguments, then what the rest is. */
 struct shape_form {
 	enum keyword keyword;
@@ -104,15 +106,20 @@ static void gather(struct parser *p, const struct shape_form *form, size_t start
 }
 
 /* Strings stand in the first two places of a text, and nowhere else. */
-static void check_kinds(struct parser *p, enum keyword keyword, size_t start)
+static void check_kinds(struct parser *p, const struct shape_form *form, size_t start)
 {
 	const struct grammar *g = p->grammar;
+	const enum keyword keyword = form->keyword;
+	const size_t letters = strlen(form->letters);
 	for (size_t i = start; i < g->arg_count; i++) {
 		const struct arg *arg = &g->args[i];
 		const bool wants = keyword == K_TEXT && i - start < 2;
 		if (arg->kind == ARG_STRING && !wants)
-			parser_error(
-				p, arg->span, "unexpected string in %s", keyword_name(keyword));
+			parser_error(p, arg->span, "%s needs %s, found a string",
+				keyword_name(keyword),
+				i - start < letters && form->names[i - start]
+					? form->names[i - start]
+					: "a number");
 		else if (arg->kind != ARG_STRING && wants && i != start)
 			parser_error(p, arg->span, "text needs a string here");
 	}
@@ -194,7 +201,7 @@ struct node *shape_node(
 	take_old_colour(p, form, &body, least);
 	const size_t found = g->arg_count - body.start;
 	struct node *node = NULL;
-	check_kinds(p, keyword, body.start);
+	check_kinds(p, form, body.start);
 	if (found < least) {
 		parser_error(p, word, "%s needs %s", keyword_name(keyword), form->names[found]);
 		g->arg_count = body.start + found;

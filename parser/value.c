@@ -94,9 +94,9 @@ enum { LARGEST_ARRAY = 100000000 };
 
 static size_t dimension(struct parser *p, const struct arg *arg)
 {
-	const double size = number_to_float(p, arg->number, arg->span) + 1e-10;
-	if (size >= 1 && size < LARGEST_ARRAY + 1.0)
-		return (size_t)size;
+	const double size = number_to_float(p, arg->number, arg->span), cut = size + 1e-10;
+	if (cut >= 1 && cut < LARGEST_ARRAY + 1.0)
+		return (size_t)cut;
 	if (size >= 1)
 		parser_error(p, arg->span, "an array has at most %d elements, not %g",
 			LARGEST_ARRAY, size);
