@@ -102,12 +102,33 @@ static enum function_kind kind_of(const struct node *node)
 	}
 }
 
+/* Some patterns need a surface, or more than a number. */
+static void check_pattern(struct parser *p, const struct node *block)
+{
+	const struct node *pattern = block->children;
+	switch (pattern->keyword) {
+	case K_AOI:
+	case K_AVERAGE:
+	case K_FACETS:
+	case K_SLOPE:
+	case K_SQUARE:
+	case K_TRIANGULAR:
+		parser_error(p, pattern->word, "the pattern %s cannot be a function",
+			keyword_name(pattern->keyword));
+		break;
+	default:
+		break;
+	}
+}
+
 const struct function *function_end(
 	struct parser *p, const struct expr *body, span where, struct node *node, int internal)
 {
 	if (node) {
 		struct function *f = close(p, kind_of(node), where);
 		f->node = node;
+		if (f->kind == FUNCTION_PATTERN)
+			check_pattern(p, node);
 		return f;
 	}
 	if (body) {

@@ -1,0 +1,13 @@
+// What functions of the pattern cubic are worth, and what eval_pigment finds of it.
+#version 3.7;
+#include "ask.inc"
+#declare F = function { pattern { cubic } }
+AskPattern(F)
+#undef F
+#declare G = function { pigment { cubic rgb <1,0.2,0.1>, rgbft <0.2,0.9,0.4,0.3,0.2>, rgb z, rgb <0.3,0.6,0>, rgb 0.5, rgb y } }
+AskColour(G)
+#undef G
+#declare P = pigment { cubic rgb <1,0.2,0.1>, rgbft <0.2,0.9,0.4,0.3,0.2>, rgb z, rgb <0.3,0.6,0>, rgb 0.5, rgb y }
+AskPigment(P)
+#declare P = pigment { cubic rgb <1,0.2,0.1>, rgbft <0.2,0.9,0.4,0.3,0.2>, rgb z, rgb <0.3,0.6,0>, rgb 0.5, rgb y rotate 20 scale <0.7,0.8,1.1> translate 0.1 }
+AskPigment(P)

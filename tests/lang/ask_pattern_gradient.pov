@@ -1,0 +1,23 @@
+// What functions of the pattern gradient are worth, and what eval_pigment finds of it.
+#version 3.7;
+#include "ask.inc"
+#declare F = function { pattern { gradient <1,2,3> } }
+AskPattern(F)
+#undef F
+#declare G = function { pigment { gradient <1,2,3> color_map { [0 rgb <1,0.2,0.1>][0.5 rgbft <0.2,0.9,0.4,0.3,0.2>][1 rgb <0,0.3,1>] } } }
+AskColour(G)
+#undef G
+#declare P = pigment { gradient <1,2,3> color_map { [0 rgb <1,0.2,0.1>][0.5 rgbft <0.2,0.9,0.4,0.3,0.2>][1 rgb <0,0.3,1>] } }
+AskPigment(P)
+#declare P = pigment { gradient <1,2,3> color_map { [0 rgb <1,0.2,0.1>][0.5 rgbft <0.2,0.9,0.4,0.3,0.2>][1 rgb <0,0.3,1>] } rotate 20 scale <0.7,0.8,1.1> translate 0.1 }
+AskPigment(P)
+#declare F = function { pattern { gradient y sine_wave phase 0.2 frequency 3 } }
+AskPattern(F)
+#undef F
+#declare G = function { pigment { gradient y sine_wave phase 0.2 frequency 3 color_map { [0 rgb <1,0.2,0.1>][0.5 rgbft <0.2,0.9,0.4,0.3,0.2>][1 rgb <0,0.3,1>] } } }
+AskColour(G)
+#undef G
+#declare P = pigment { gradient y sine_wave phase 0.2 frequency 3 color_map { [0 rgb <1,0.2,0.1>][0.5 rgbft <0.2,0.9,0.4,0.3,0.2>][1 rgb <0,0.3,1>] } }
+AskPigment(P)
+#declare P = pigment { gradient y sine_wave phase 0.2 frequency 3 color_map { [0 rgb <1,0.2,0.1>][0.5 rgbft <0.2,0.9,0.4,0.3,0.2>][1 rgb <0,0.3,1>] } rotate 20 scale <0.7,0.8,1.1> translate 0.1 }
+AskPigment(P)
