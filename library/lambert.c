@@ -82,9 +82,10 @@ static void forward_text(void *user, enum keyword stream, const char *line)
 
 /* ---- loading ---- */
 
+/* NULL: the current one, which is also that of a scene from standard input. */
 static char *folder_of(const char *path, struct arena *arena)
 {
-	const char *slash = strrchr(path, '/');
+	const char *slash = strcmp(path, "/dev/stdin") == 0 ? NULL : strrchr(path, '/');
 	return slash ? arena_string(arena, path, (size_t)(slash - path)) : NULL;
 }
 

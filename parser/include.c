@@ -50,6 +50,11 @@ static bool include_file(struct parser *p, const char *name, span where)
 	const char *path = file_find(p->options, name, extensions, &courtesy, p->arena);
 	if (!path)
 		return report_missing(p, name, where);
+	const char *refusal = file_may_read(p->options, path, p->arena);
+	if (refusal) {
+		parser_error(p, where, "%s", refusal);
+		return false;
+	}
 	if (courtesy)
 		diag_warning(p->diag, where, "include file '%s' found as %s", name, path);
 	struct source *s = x->file_count < MAX_FILES ? find_source(x, path) : NULL;

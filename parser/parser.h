@@ -50,7 +50,7 @@ struct parse_options {
 	bool clock_on;
 	int version; /* hundredths; 370 unless an option says otherwise */
 	bool version_set;
-	bool no_file_io;	       /* refuse #fopen for writing */
+	bool no_file_io;	       /* refuse #fopen */
 	const char *const *read_paths; /* more folders a scene may read below */
 	size_t read_path_count;
 	const char *const *write_paths; /* more folders a scene may write below */
@@ -85,5 +85,11 @@ void ast_print_json(const struct ast *, struct diag *, FILE *);
  * letter case and backslashes. NULL if there is none. */
 const char *file_find(const struct parse_options *, const char *name, const char *const *extensions,
 	bool *courtesy, struct arena *);
+
+/* Whether a scene may read the file: NULL, or the message why not. */
+const char *file_may_read(const struct parse_options *, const char *path, struct arena *);
+/* Opens a file to which a scene writes; NULL if that is impossible or refused, which the message says. */
+FILE *file_open_to_write(const struct parse_options *, const char *path, bool append,
+	struct arena *, const char **message);
 
 #endif

@@ -2,18 +2,14 @@
 /*
  * #fopen, #fclose, #read and #write: text files of the scene's own.
  *
- * A file to read is lexed like a scene, and #read takes data from its tokens. A
- * scene can be a stranger's: it may write below the current folder only, and
- * read below that, beside itself and in the library, unless options allow more.
+ * A file to read is lexed like a scene, and #read takes data from its tokens.
  */
 #include "parser/expand.h"
 
 #include "grammar.tab.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 struct scene_file {
@@ -24,71 +20,12 @@ struct scene_file {
 	struct scene_file *previous;
 };
 
-/* -- What may be touched ------------------------------------------------------------------ */
-
-static bool is_below(const char *path, const char *folder)
-{
-	char real[PATH_MAX];
-	if (!realpath(*folder ? folder : ".", real))
-		return false;
-	const size_t length = strlen(real);
-	return !strncmp(path, real, length) &&
-	       (path[length] == '/' || path[length] == 0 || real[length - 1] == '/');
-}
-
-static bool is_below_any(const char *path, const char *const *folders, size_t count)
-{
-	for (size_t i = 0; i < count; i++)
-		if (is_below(path, folders[i]))
-			return true;
-	return false;
-}
-
-static bool may_write(const struct parse_options *o, const char *real)
-{
-	return is_below(real, ".") || is_below_any(real, o->write_paths, o->write_path_count);
-}
-
-static bool may_read(const struct parse_options *o, const char *real)
-{
-	return may_write(o, real) || (o->scene_folder && is_below(real, o->scene_folder)) ||
-	       is_below_any(real, o->library_paths, o->library_path_count) ||
-	       is_below_any(real, o->read_paths, o->read_path_count);
-}
-
-/* The true path of a file, which need not exist yet; links are followed. */
-static bool true_path(const char *path, char real[PATH_MAX])
-{
-	if (realpath(path, real))
-		return true;
-	if (errno != ENOENT)
-		return false;
-	const char *slash = strrchr(path, '/');
-	const char *last = slash ? slash + 1 : path;
-	char folder[PATH_MAX];
-	const size_t length = slash ? (size_t)(slash - path) : 0;
-	if (length >= sizeof folder)
-		return false;
-	memcpy(folder, path, length);
-	folder[length] = 0;
-	if (!realpath(length ? folder : slash ? "/" : ".", real))
-		return false;
-	const size_t used = strlen(real);
-	if (used + 1 + strlen(last) >= PATH_MAX)
-		return false;
-	if (used > 1)
-		strcat(real, "/");
-	strcat(real, last);
-	return true;
-}
-
 /* -- #fopen, #fclose ---------------------------------------------------------------------- */
 
 static bool open_to_read(struct parser *p, struct scene_file *f, span where)
 {
 	struct expand *x = p->expand;
 	bool courtesy;
-	char real[PATH_MAX];
 	const char *path = file_find(p->options, f->path, NULL, &courtesy, p->arena);
 	if (!path) {
 		parser_error(p, where, "file '%s' to read not found", f->path);
@@ -96,8 +33,9 @@ static bool open_to_read(struct parser *p, struct scene_file *f, span where)
 	}
 	if (courtesy)
 		diag_warning(p->diag, where, "file '%s' found as %s", f->path, path);
-	if (!true_path(path, real) || !may_read(p->options, real)) {
-		parser_error(p, where, "the scene is not allowed to read '%s'", path);
+	const char *refusal = file_may_read(p->options, path, p->arena);
+	if (refusal) {
+		parser_error(p, where, "%s", refusal);
 		return false;
 	}
 	f->in = source_read(p->arena, p->diag, &x->names, path, false);
@@ -110,27 +48,12 @@ static bool open_to_read(struct parser *p, struct scene_file *f, span where)
 	return true;
 }
 
-static bool open_to_write(struct parser *p, struct scene_file *f, const char *mode, span where)
+static bool open_to_write(struct parser *p, struct scene_file *f, bool append, span where)
 {
-	char real[PATH_MAX];
-	if (p->options->no_file_io) {
-		parser_error(p, where, "the scene is not allowed to write files ('%s')", f->path);
-		return false;
-	}
-	if (!true_path(f->path, real)) {
-		parser_error(p, where, "cannot write %s: %s", f->path, strerror(errno));
-		return false;
-	}
-	if (!may_write(p->options, real)) {
-		parser_error(p, where,
-			"the scene is not allowed to write '%s', which is not below the current "
-			"folder",
-			f->path);
-		return false;
-	}
-	f->out = fopen(real, mode);
+	const char *message = NULL;
+	f->out = file_open_to_write(p->options, f->path, append, p->arena, &message);
 	if (!f->out)
-		parser_error(p, where, "cannot write %s: %s", f->path, strerror(errno));
+		parser_error(p, where, "%s", message);
 	p->expand->has_written = true;
 	return f->out != NULL;
 }
@@ -140,10 +63,15 @@ static bool open_as(struct parser *p, struct scene_file *f, span where)
 	struct token_value v;
 	span at;
 	const int mode = expand_next(p, &v, &at);
+	if (p->options->no_file_io) {
+		parser_error(p, where, "the scene is not allowed to open '%s': --no-file-io is set",
+			f->path);
+		return false;
+	}
 	if (mode == KW_READ)
 		return open_to_read(p, f, where);
 	if (mode == KW_WRITE || mode == KW_APPEND)
-		return open_to_write(p, f, mode == KW_WRITE ? "wb" : "ab", where);
+		return open_to_write(p, f, mode == KW_APPEND, where);
 	parser_error(
 		p, at, "expected read, write or append, found %s", token_describe(p, mode, &v));
 	return false;

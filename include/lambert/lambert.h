@@ -79,11 +79,12 @@ struct lambert_scene_options {
 	unsigned version; /* language version in hundredths, 0: not given */
 	int quality;	  /* 0 to 9; 9 */
 	bool output_alpha;
-	unsigned threads; /* 0: as many as processors */
-	bool no_file_io;
-	const char *const *read_paths;
+	unsigned threads;	       /* 0: as many as processors */
+	bool no_file_io;	       /* #fopen is refused */
+	const char *const *read_paths; /* below these a scene may read, beside its own folder, the
+					   current directory and the library paths */
 	size_t read_path_count;
-	const char *const *write_paths;
+	const char *const *write_paths; /* and write, beside the current directory */
 	size_t write_path_count;
 	lambert_message_function message; /* may be NULL */
 	lambert_text_function text;	  /* may be NULL */

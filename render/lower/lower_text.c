@@ -95,7 +95,8 @@ static const char *find_font(struct lowering *l, const struct arg *arg)
 	bool courtesy = false;
 	const char *path =
 		file_find(l->options->files, arg->string, extensions, &courtesy, l->arena);
-	if (!path) {
+	const char *refusal = path ? file_may_read(l->options->files, path, l->arena) : NULL;
+	if (!path || refusal) {
 		path = find_in_folders(l, file_part(arg->string));
 		courtesy = false;
 	}
@@ -103,7 +104,9 @@ static const char *find_font(struct lowering *l, const struct arg *arg)
 		path = find_substitute(l, file_part(arg->string));
 		courtesy = path != NULL;
 	}
-	if (!path)
+	if (!path && refusal)
+		diag_error(l->diag, arg->span, "%s", refusal);
+	else if (!path)
 		diag_error(l->diag, arg->span, "the font \"%s\" was not found", arg->string);
 	else if (courtesy)
 		diag_warning(l->diag, arg->span,

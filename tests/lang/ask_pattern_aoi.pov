@@ -1,5 +1,6 @@
 // What functions of the pattern aoi are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare G = function { pigment { aoi color_map { [0 rgb <1,0.2,0.1>][0.5 rgbft <0.2,0.9,0.4,0.3,0.2>][1 rgb <0,0.3,1>] } } }
 AskColour(G)

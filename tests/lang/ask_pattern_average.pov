@@ -1,5 +1,6 @@
 // What functions of the pattern average are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare G = function { pigment { average pigment_map { [1 gradient x][2 bozo color_map { [0 rgb x][1 rgb z] }] } } }
 AskColour(G)

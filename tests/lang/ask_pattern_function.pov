@@ -1,5 +1,6 @@
 // What functions of the pattern function are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare F = function { pattern { function { x*y + 0.3*z } } }
 AskPattern(F)

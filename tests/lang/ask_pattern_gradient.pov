@@ -1,5 +1,6 @@
 // What functions of the pattern gradient are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare F = function { pattern { gradient <1,2,3> } }
 AskPattern(F)

@@ -1,5 +1,6 @@
 // What functions of the pattern julia are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare F = function { pattern { julia <0.353, 0.288>, 30 exterior 1, 1 interior 3, 2 } }
 AskPattern(F)

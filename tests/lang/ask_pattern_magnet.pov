@@ -1,5 +1,6 @@
 // What functions of the pattern magnet are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare F = function { pattern { magnet 1 mandel 30 exterior 2, 1 } }
 AskPattern(F)

@@ -1,5 +1,6 @@
 // What functions of the pattern object are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare F = function { pattern { object { sphere { 0, 1.2 } } } }
 AskPattern(F)

@@ -1,5 +1,6 @@
 // What functions of the pattern onion are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare F = function { pattern { onion } }
 AskPattern(F)

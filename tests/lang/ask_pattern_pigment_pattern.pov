@@ -1,5 +1,6 @@
 // What functions of the pattern pigment_pattern are worth, and what eval_pigment finds of it.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare F = function { pattern { pigment_pattern { gradient x color_map { [0 rgb <1,0.5,0.2>][1 rgb <0.1,0.2,0.9>] } } } }
 AskPattern(F)

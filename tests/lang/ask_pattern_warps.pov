@@ -1,5 +1,6 @@
 // Warps and waves in functions of patterns.
 #version 3.7;
+#include "functions.inc"
 #include "ask.inc"
 #declare F = function { pattern { wood warp { repeat x flip z } scale 0.7 } }
 AskPattern(F)

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a scene may touch. It can be a stranger's: it may write below the current
+ * folder only, and read below that, below its own folder and in the library,
+ * unless options allow more. Links are followed before that is decided.
+ */
+#include "base/arena.h"
+#include "parser/parser.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_below(const char *path, const char *folder)
+{
+	char real[PATH_MAX];
+	if (!realpath(*folder ? folder : ".", real))
+		return false;
+	const size_t length = strlen(real);
+	return !strncmp(path, real, length) &&
+	       (path[length] == '/' || path[length] == 0 || real[length - 1] == '/');
+}
+
+static bool is_below_any(const char *path, const char *const *folders, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		if (is_below(path, folders[i]))
+			return true;
+	return false;
+}
+
+static bool allows_writing(const struct parse_options *o, const char *real)
+{
+	return is_below(real, ".") || is_below_any(real, o->write_paths, o->write_path_count);
+}
+
+static bool allows_reading(const struct parse_options *o, const char *real)
+{
+	return allows_writing(o, real) || (o->scene_folder && is_below(real, o->scene_folder)) ||
+	       is_below_any(real, o->library_paths, o->library_path_count) ||
+	       is_below_any(real, o->read_paths, o->read_path_count);
+}
+
+/* The path of a file without links; the file need not exist yet, its folder must. */
+static bool true_path(const char *path, char real[PATH_MAX])
+{
+	if (realpath(path, real))
+		return true;
+	if (errno != ENOENT)
+		return false;
+	const char *slash = strrchr(path, '/');
+	const char *last = slash ? slash + 1 : path;
+	char folder[PATH_MAX];
+	const size_t length = slash ? (size_t)(slash - path) : 0;
+	if (length >= sizeof folder)
+		return false;
+	memcpy(folder, path, length);
+	folder[length] = 0;
+	if (!realpath(length ? folder : slash ? "/" : ".", real))
+		return false;
+	const size_t used = strlen(real);
+	if (used + 1 + strlen(last) >= PATH_MAX)
+		return false;
+	if (used > 1)
+		strcat(real, "/");
+	strcat(real, last);
+	return true;
+}
+
+const char *file_may_read(const struct parse_options *o, const char *path, struct arena *arena)
+{
+	char real[PATH_MAX];
+	if (!true_path(path, real))
+		return arena_printf(arena, "cannot read %s: %s", path, strerror(errno));
+	if (allows_reading(o, real))
+		return NULL;
+	return arena_printf(arena,
+		"the scene is not allowed to read '%s', which is not below its folder, the current "
+		"folder or a library path; --allow-read permits more",
+		path);
+}
+
+/* A link at the end of `real` leads to nothing yet, else it would have been followed: it is refused. */
+static FILE *open_inside(const char *real, bool append)
+{
+	const int flags = O_WRONLY | O_CREAT | O_NOFOLLOW | (append ? O_APPEND : O_TRUNC);
+	const int descriptor = open(real, flags, 0666);
+	return descriptor < 0 ? NULL : fdopen(descriptor, append ? "ab" : "wb");
+}
+
+FILE *file_open_to_write(const struct parse_options *o, const char *path, bool append,
+	struct arena *arena, const char **message)
+{
+	char real[PATH_MAX];
+	const bool known = true_path(path, real);
+	if (known && !allows_writing(o, real)) {
+		*message = arena_printf(arena,
+			"the scene is not allowed to write '%s', which is not below the current "
+			"folder; --allow-write permits more",
+			path);
+		return NULL;
+	}
+	FILE *file = known ? open_inside(real, append) : NULL;
+	if (!file)
+		*message = arena_printf(arena, "cannot write %s: %s", path, strerror(errno));
+	return file;
+}
