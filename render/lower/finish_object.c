@@ -192,10 +192,10 @@ static struct object *finish_shape(struct lowering *l, struct draft *d, const st
 	/* uv coordinates of a sphere are those before its transformations */
 	if (moved && (h->uv_mapping || !d->shape->absorb || !d->shape->absorb(d->self, &d->place)))
 		o->place = arena_copy(l->arena, &d->place, sizeof d->place);
-	else if (moved && d->shape->uv) /* for a pigment with uv_mapping of its own */
-		o->uv_place = arena_copy(l->arena, &d->place, sizeof d->place);
 	o->self = arena_copy(l->arena, d->self, d->shape->size);
 	finish_leaf(l, d, h, o);
+	if (moved && !o->place && d->shape->uv && l->has_uv_mapping)
+		o->uv_place = arena_copy(l->arena, &d->place, sizeof d->place);
 	return o;
 }
 

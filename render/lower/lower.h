@@ -38,6 +38,7 @@ struct lowering {
 	int **generators; /* where the noise generator is to be put that holds at the end */
 	size_t generator_count, generator_room;
 	bool given_up;			       /* after too many errors */
+	bool has_uv_mapping;		       /* some texture met so far has it, within itself */
 	struct pointer_map drafts;	       /* declared objects drafted already, by node */
 	struct pointer_map functions;	       /* compiled already, by struct function */
 	unsigned cameras;		       /* met so far */

@@ -86,6 +86,7 @@ static void read_item(struct lowering *l, struct normal_state *s, const struct n
 		return;
 	case K_UV_MAPPING:
 		s->form = FORM_UV;
+		l->has_uv_mapping = true;
 		s->mapped = read_entry(l, item);
 		return;
 	case K_NORMAL_MAP:

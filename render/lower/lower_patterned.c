@@ -37,6 +37,7 @@ static void read_item(struct lowering *l, struct patterned_state *s, const struc
 		return;
 	case K_UV_MAPPING:
 		s->form = FORM_UV;
+		l->has_uv_mapping = true;
 		s->mapped = texture_read(l, item, default_spec(l, item->state));
 		return;
 	case K_TEXTURE_MAP:

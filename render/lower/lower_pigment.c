@@ -91,6 +91,7 @@ static void read_item(struct lowering *l, struct pigment_state *s, const struct 
 		return;
 	case K_UV_MAPPING:
 		s->form = FORM_UV;
+		l->has_uv_mapping = true;
 		s->mapped = read_entry(l, item);
 		return;
 	case K_COLOR_MAP:
