@@ -209,7 +209,7 @@ static size_t compare(struct fixture *f, vec3 centre, double reach, size_t rays,
 	size_t hits = 0;
 	for (size_t k = 0; k < rays; k++) {
 		const ray r = random_ray(f, centre, reach);
-		struct hit expected, found[LEVELS];
+		struct hit expected = { 0 }, found[LEVELS];
 		const bool hit = brute_nearest(f, &r, T_MIN, T_MISS, kinds, &expected);
 		/* also just short of the hit, and starting there */
 		const double at = hit ? expected.t : 1;
