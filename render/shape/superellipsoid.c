@@ -21,6 +21,8 @@ struct superellipsoid {
 
 /* What the language still counts as inside. */
 #define SKIN 1e-10
+/* Half a side of the cube in which hits are sought. */
+#define CUBE (1 + 1e-6)
 /* Steps in which an octant is searched for a pinched superellipsoid. */
 #define PINCHED_STEPS 24
 
@@ -80,15 +82,16 @@ static double value_along(const struct superellipsoid *s, const ray *r, double t
 	return f;
 }
 
-/* The part of the ray in the unit cube and after tmin. */
+/* The part of the ray in the unit cube and after tmin. The faces of a box-like one lie on the cube's:
+ * rounding must not begin the search behind them. */
 static bool cube_section(const ray *r, double tmin, double *in, double *out)
 {
 	const vec3 inverse = vec_reciprocal(r->direction);
 	*in = -INFINITY;
 	*out = INFINITY;
-	slab_cut(-1, 1, r->origin.x, inverse.x, in, out);
-	slab_cut(-1, 1, r->origin.y, inverse.y, in, out);
-	slab_cut(-1, 1, r->origin.z, inverse.z, in, out);
+	slab_cut(-CUBE, CUBE, r->origin.x, inverse.x, in, out);
+	slab_cut(-CUBE, CUBE, r->origin.y, inverse.y, in, out);
+	slab_cut(-CUBE, CUBE, r->origin.z, inverse.z, in, out);
 	*in = fmax(*in, tmin);
 	return *in < *out;
 }
