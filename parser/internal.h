@@ -46,6 +46,7 @@ struct parser {
 	 * change makes a new one, see parser_change_state. */
 	const struct language_state *state;
 	enum charset charset;
+	bool version_is_first; /* the version is known before the first statement */
 
 	/* While an expression is only tried (quick.c) nothing is reported, but noted. */
 	bool trial, refused;

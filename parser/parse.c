@@ -145,6 +145,12 @@ static bool begin_header(struct parser *p)
 	return expand_push_file(p, s, NO_SPAN);
 }
 
+static bool begins_with_version(const struct source *s)
+{
+	return s->count > 0 && s->tokens[0].kind == RAW_DIRECTIVE &&
+	       s->directives[s->tokens[0].payload].keyword == K_VERSION;
+}
+
 static bool begin(struct parser *p, const char *path, const char *text, size_t size)
 {
 	struct expand *x = p->expand;
@@ -159,6 +165,7 @@ static bool begin(struct parser *p, const char *path, const char *text, size_t s
 	x->sources = s;
 	if (s->has_mark)
 		p->charset = CHARSET_UTF8;
+	p->version_is_first = p->options->version_set || begins_with_version(s);
 	declare_options(p);
 	return expand_push_file(p, s, NO_SPAN) && begin_header(p);
 }
@@ -169,6 +176,9 @@ static void settle(struct parser *p)
 	if (!p->state->version_set)
 		diag_warning(p->diag, NO_SPAN,
 			"the scene has no #version: some things follow the rules of 3.6.2");
+	else if (!p->version_is_first)
+		diag_warning(p->diag, NO_SPAN,
+			"the scene does not begin with #version: it is first read as version 3.7");
 	if (p->state->noise_generator == 0)
 		parser_change_state(p)->noise_generator = p->state->version >= 350 ? 2 : 1;
 	if (p->state->version < 350)

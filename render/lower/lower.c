@@ -116,5 +116,10 @@ bool lower_end(struct lowering *l, const struct language_state *final)
 	lowering_settle(l, final);
 	if (!l->scene->object_count)
 		diag_warning(l->diag, NO_SPAN, "the scene has no objects");
+	if (final->assumed_gamma == 0)
+		diag_warning(l->diag, NO_SPAN, "the scene has no assumed_gamma: %s",
+			l->scene->settings.working.transfer == TRANSFER_NONE
+				? "colours are left as they are, as before version 3.7"
+				: "1.0 is taken");
 	return diag_errors(l->diag) == 0;
 }

@@ -243,6 +243,17 @@ static struct draft *draft_primitive(
 
 /* ---- compounds ---- */
 
+/* Most often a brace stands in the wrong place. */
+static void warn_of_few_members(struct lowering *l, const struct node *n)
+{
+	int members = 0;
+	for (const struct node *item = n->children; item && members < 2; item = item->next)
+		members += node_is_object(item);
+	if (members < 2)
+		diag_warning(l->diag, n->word, "%s of %s", keyword_name(n->keyword),
+			members == 0 ? "no objects" : "a single object");
+}
+
 static void read_children(struct lowering *l, const struct node *n, struct draft *d)
 {
 	struct draft **end = &d->children;
@@ -276,6 +287,7 @@ static struct draft *draft_csg(struct lowering *l, const struct node *n)
 	d->csg = n->keyword == K_MERGE				      ? CSG_MERGE
 		 : n->keyword == K_UNION || n->keyword == K_COMPOSITE ? CSG_UNION
 								      : CSG_INTERSECTION;
+	warn_of_few_members(l, n);
 	read_children(l, n, d);
 	read_modifiers(l, n, d);
 	return d;
