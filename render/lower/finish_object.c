@@ -248,8 +248,7 @@ static struct object *collect_one(struct lowering *l, struct draft *d, const str
 	collect(l, d, h, &list);
 	struct object *o = list.count == 1 ? list.items[0] : NULL;
 	if (!o) {
-		const bool inverted_text = d->kind == DRAFT_TEXT && d->inverted;
-		o = wrap(l, inverted_text ? CSG_INTERSECTION : CSG_UNION, &list, h);
+		o = wrap(l, CSG_UNION, &list, h);
 		object_set_bounds(o);
 	}
 	free(list.items);
@@ -365,6 +364,21 @@ static void collect_compound(
 	free(members.items);
 }
 
+/* The letters; turned inside out, what is outside all of them. */
+static void collect_text(
+	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
+{
+	struct object_list letters = { NULL, 0, 0 };
+	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
+	lower_text(l, d->node, &d->place, add_glyph, &glyphs);
+	if (letters.count) {
+		struct object *o = wrap(l, CSG_INTERSECTION, &letters, h);
+		object_set_bounds(o);
+		list_add(out, o);
+	}
+	free(letters.items);
+}
+
 /* ---- lights ---- */
 
 static void collect_light(struct lowering *l, struct draft *d, const struct heritage *h,
@@ -427,11 +441,9 @@ static void collect(
 		else
 			collect_compound(l, d, &h, out);
 		break;
-	case DRAFT_TEXT: {
-		struct glyphs glyphs = { l, d, &h, out };
-		lower_text(l, d->node, &d->place, add_glyph, &glyphs);
+	case DRAFT_TEXT:
+		collect_text(l, d, &h, out);
 		break;
-	}
 	case DRAFT_SHAPE: {
 		struct object *o = finish_shape(l, d, &h);
 		struct object_list self = { &o, 1, 1 };
