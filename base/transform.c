@@ -63,6 +63,20 @@ transform transform_rotate(vec3 degrees)
 	return transform_compose(&xy, &z);
 }
 
+transform transform_turn_z(vec3 to)
+{
+	const double across = to.x * to.x + to.y * to.y;
+	if (!(across > 0)) {
+		const double half_turn[3][3] = { { 1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } };
+		return to.z < 0 ? from_rotation(half_turn) : transform_identity();
+	}
+	/* 1 / (1 + z), without cancellation */
+	const double k = to.z < 0 ? (1 - to.z) / across : 1 / (1 + to.z);
+	const double turn[3][3] = { { 1 - to.x * to.x * k, -to.x * to.y * k, -to.x },
+		{ -to.x * to.y * k, 1 - to.y * to.y * k, -to.y }, { to.x, to.y, to.z } };
+	return from_rotation(turn);
+}
+
 /* Inverse by cofactors over the determinant. */
 static bool invert_rows(double m[4][3], double out[4][3])
 {

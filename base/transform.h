@@ -21,6 +21,8 @@ transform transform_translate(vec3 by);
 transform transform_scale(vec3 by);
 /* About x, then y, then z, in degrees, left-handed: 90 about z takes x to y. */
 transform transform_rotate(vec3 degrees);
+/* The shortest turn of the z axis to a unit vector. */
+transform transform_turn_z(vec3 to);
 /* From the twelve numbers of `matrix <...>`; false when it is singular. */
 bool transform_matrix(const double m[12], transform *out);
 /* First `a`, then `b`. */

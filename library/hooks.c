@@ -23,6 +23,7 @@ struct probe {
 	struct object **objects;
 	size_t count;
 	struct accel *accel;
+	box extent; /* as the language counts it */
 };
 
 struct hooks {
@@ -42,6 +43,7 @@ struct hooks *hooks_create(struct diag *diag, const struct parse_options *files)
 	h->options =
 		(struct lower_options){ .width = 1, .height = 1, .quality = 9, .files = files };
 	lowering_init(&h->lowering, &h->options, diag, h->scene);
+	h->lowering.keeps_extents = true;
 	lowering_settle(&h->lowering, h->state);
 	return h;
 }
@@ -94,6 +96,7 @@ static struct probe *probe_create(struct hooks *h, const struct node *object)
 	struct draft *d = draft_from_node(lowering_now(h), object);
 	if (!d)
 		return NULL;
+	p->extent = d->extent->box;
 	draft_emit(&h->lowering, d, object->state);
 	settle(h);
 	lowering_forget(&h->lowering);
@@ -167,14 +170,10 @@ static bool hook_trace(void *user, const struct node *object, const double origi
 	return true;
 }
 
-/*
- * The language keeps boxes as a corner and lengths, in single precision. Ours are widened by a few
- * units in the last place, of which single precision hides all but what moved a corner off 0.
- */
-static void float_box(double lo, double hi, double size, double *out_lo, double *out_hi)
+/* The language keeps boxes as a corner and lengths, in single precision. */
+static void float_box(double lo, double hi, double *out_lo, double *out_hi)
 {
-	const bool at_zero = fabs(lo) <= 8 * DBL_EPSILON * size;
-	const float corner = at_zero ? 0.0f : (float)lo, length = (float)(hi - lo);
+	const float corner = (float)lo, length = (float)(hi - lo);
 	*out_lo = corner;
 	*out_hi = corner + length;
 }
@@ -184,16 +183,12 @@ static bool hook_extent(void *user, const struct node *object, double lo[3], dou
 	const struct probe *probe = probe_of(user, object);
 	if (!probe)
 		return false;
-	box b = box_nothing();
-	for (size_t i = 0; i < probe->count; i++)
-		b = box_union(b, probe->objects[i]->bounds);
+	box b = probe->extent;
 	if (box_is_unbounded(b) || box_is_empty(b))
 		b = box_everything();
-	const vec3 sides = vec_sub(b.hi, b.lo);
-	const double size = fmax(fmax(sides.x, sides.y), sides.z);
-	float_box(b.lo.x, b.hi.x, size, &lo[0], &hi[0]);
-	float_box(b.lo.y, b.hi.y, size, &lo[1], &hi[1]);
-	float_box(b.lo.z, b.hi.z, size, &lo[2], &hi[2]);
+	float_box(b.lo.x, b.hi.x, &lo[0], &hi[0]);
+	float_box(b.lo.y, b.hi.y, &lo[1], &hi[1]);
+	float_box(b.lo.z, b.hi.z, &lo[2], &hi[2]);
 	return true;
 }
 

@@ -82,6 +82,7 @@ struct shape_class {
 	bool is_patch;		    /* has no inside */
 	bool is_compound;	    /* children are objects and hits already name their leaf */
 	bool is_convex;		    /* holds every segment between two of its points */
+	bool moves_extent;	    /* transformations move its extent instead of making it anew */
 	bool keeps_normal_inverted; /* `inverse` does not negate the raw normal (plane, quadric) */
 
 	/* Checks the parameters and derives what tracing needs. NULL: nothing to do. */
@@ -89,10 +90,19 @@ struct shape_class {
 	/* Takes a transformation into the instance's own parameters if that is exact; false: the
 	 * object keeps it as its place. NULL: never. */
 	bool (*absorb)(void *self, const transform *);
+	/* Takes in each transformation as it comes, for shapes to which one written as `scale` means
+	 * something else. NULL: all of them at the end, by absorb or as place. */
+	void (*step)(void *self, const transform *, bool is_scale);
 	/* Turns the instance inside out by itself (plane); NULL: the object's flag does it. */
 	void (*invert)(void *self);
 	/* In shape space; box_everything() when unbounded. */
 	box (*bounds)(const void *self);
+	/* The box that min_extent and max_extent tell of, with what `place` (NULL: nothing) moves.
+	 * NULL: the box of the bounds' moved corners. */
+	box (*extent)(const void *self, const transform *place);
+	/* The part of a box that the inside may reach, for the extent of intersections. NULL: what
+	 * is also in the extent. */
+	box (*extent_within)(const void *self, box);
 	/* A sphere around it that is much tighter than its box, in shape space; rays that miss it are
 	 * not even asked about. NULL or false: none. */
 	bool (*enclosing_sphere)(const void *self, vec3 *centre, double *radius);
@@ -118,6 +128,12 @@ struct shape_class {
 	void (*uv)(const void *self, const struct hit *, vec3 p, const transform *absorbed,
 		double uv[2]);
 };
+
+/* The box of a box's corners in their place (NULL: where they are). */
+static inline box box_placed(box b, const transform *place)
+{
+	return place && !box_is_empty(b) ? transform_box(place, b) : b;
+}
 
 /* The neighbours of t among the doubles. */
 static inline double double_after(double t)

@@ -31,6 +31,13 @@ struct looks {
 	const struct texture *finished;
 };
 
+/* The box of an object as the language counts it, see extent.c. */
+struct extent {
+	box box;
+	transform absorbed, rest; /* by the shape, and what came after */
+	bool has_rest, inverted;
+};
+
 struct draft {
 	enum draft_kind kind;
 	const struct node *node;
@@ -53,6 +60,7 @@ struct draft {
 	struct draft_interior *interior;
 	struct draft *clips, *bounds;
 	bool bounds_are_clips; /* one list for both: transformed once */
+	struct extent *extent; /* NULL unless the lowering keeps them */
 	bool inverted, uv_mapping;
 	bool hollow, hollow_set, double_illuminate;
 	bool no_shadow, no_image, no_reflection;
@@ -64,14 +72,30 @@ struct draft *draft_from_node(struct lowering *, const struct node *);
 struct draft *draft_from_block(struct lowering *, const struct node *);
 bool node_is_object(const struct node *);
 
+/* One transformation of a statement. */
+struct step {
+	transform t;
+	bool is_scale; /* written as scale */
+};
+struct step lower_step(struct lowering *, const struct node *item);
+
 /* Moves everything that is attached so far. */
-void draft_transform(struct lowering *, struct draft *, const transform *);
+void draft_transform(struct lowering *, struct draft *, const struct step *);
+/* The same with each of a list. */
+void drafts_transform(struct lowering *, struct draft *, const struct step *);
 
 /* lower_modifiers.c: the items of an object statement that are not objects. */
 void draft_modify(struct lowering *, struct draft *, const struct node *item);
-void draft_invert(struct draft *);
+void draft_invert(struct lowering *, struct draft *);
 /* Whether the item is a flag word of the draft's shape. */
 bool draft_takes_flag(const struct draft *, const struct node *item);
+
+/* extent.c: gives the draft its extent, if the lowering keeps them; its shape or children are there. */
+void extent_begin(struct lowering *, struct draft *);
+/* Of drafts that have one: moved, turned inside out, at the end of their modifiers. */
+void extent_move(struct lowering *, struct draft *, const transform *);
+void extent_invert(struct lowering *, struct draft *);
+void extent_cut(struct draft *);
 
 /* lower_light.c */
 void light_defaults(struct light *);

@@ -479,8 +479,8 @@ const struct object *lower_inside_object(struct lowering *l, const struct node *
 		if (!d && node_is_object(item)) {
 			d = draft_from_node(l, item);
 		} else if (d && node_is_transform(item)) {
-			const transform t = lower_transform(l, item);
-			draft_transform(l, d, &t);
+			const struct step step = lower_step(l, item);
+			draft_transform(l, d, &step);
 		}
 	}
 	return d ? collect_one(l, d, &none) : NULL;

@@ -37,6 +37,7 @@ struct lowering {
 	double wave_count;		   /* number_of_waves */
 	int **generators; /* where the noise generator is to be put that holds at the end */
 	size_t generator_count, generator_room;
+	bool keeps_extents;		       /* of objects, for min_extent and max_extent */
 	bool given_up;			       /* after too many errors */
 	bool has_uv_mapping;		       /* some texture met so far has it, within itself */
 	struct pointer_map drafts;	       /* declared objects drafted already, by node */

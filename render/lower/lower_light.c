@@ -142,7 +142,7 @@ static void read_attached(struct lowering *l, const struct node *item, struct dr
 	if (!object)
 		return;
 	if (item->keyword == K_LOOKS_LIKE) {
-		const transform to_light = transform_translate(d->light->location);
+		const struct step to_light = { transform_translate(d->light->location), false };
 		draft_transform(l, object, &to_light);
 		if (d->looks_like)
 			diag_error(
@@ -175,8 +175,8 @@ void lower_light_items(struct lowering *l, const struct node *n, struct draft *d
 	light->colour = lower_rgb(l, n, 1, "a colour");
 	for (const struct node *item = n->children; item; item = item->next) {
 		if (node_is_transform(item)) {
-			const transform t = lower_transform(l, item);
-			draft_transform(l, d, &t);
+			const struct step step = lower_step(l, item);
+			draft_transform(l, d, &step);
 		} else if (item->keyword == K_LOOKS_LIKE || item->keyword == K_PROJECTED_THROUGH) {
 			read_attached(l, item, d);
 		} else if (!read_word(l, item, light) && !read_number(l, item, light)) {

@@ -58,12 +58,6 @@ static void check_cutter(struct lowering *l, const struct node *item, const stru
 			"inside");
 }
 
-static void transform_list(struct lowering *l, struct draft *list, const transform *t)
-{
-	for (; list; list = list->next)
-		draft_transform(l, list, t);
-}
-
 static void read_cutters(struct lowering *l, const struct node *n, struct draft **list)
 {
 	while (*list)
@@ -71,8 +65,8 @@ static void read_cutters(struct lowering *l, const struct node *n, struct draft 
 	struct draft **first = list;
 	for (const struct node *item = n->children; item; item = item->next) {
 		if (node_is_transform(item)) {
-			const transform t = lower_transform(l, item);
-			transform_list(l, *first, &t);
+			const struct step step = lower_step(l, item);
+			drafts_transform(l, *first, &step);
 			continue;
 		}
 		struct draft *cutter = draft_from_node(l, item);
@@ -106,19 +100,21 @@ static void add_cutters(struct lowering *l, struct draft *d, const struct node *
 /* ---- inverse and flags ---- */
 
 /* CSG by De Morgan: a union of inverted children would be open; it becomes an intersection. */
-void draft_invert(struct draft *d)
+void draft_invert(struct lowering *l, struct draft *d)
 {
 	if (d->kind == DRAFT_SHAPE && d->shape->is_patch)
 		return;
 	if (d->kind == DRAFT_CSG) {
 		d->csg = d->csg == CSG_INTERSECTION ? CSG_MERGE : CSG_INTERSECTION;
 		for (struct draft *child = d->children; child; child = child->next)
-			draft_invert(child);
+			draft_invert(l, child);
 	} else if (d->kind == DRAFT_SHAPE && d->shape->invert) {
 		d->shape->invert(d->self);
 	} else {
 		d->inverted = !d->inverted;
 	}
+	if (d->extent)
+		extent_invert(l, d);
 }
 
 static void spread_hollow(struct draft *d, bool hollow)
@@ -169,7 +165,7 @@ static bool set_flag(struct lowering *l, struct draft *d, const struct node *ite
 		if (d->kind == DRAFT_SHAPE && d->shape->is_patch)
 			diag_warning(
 				l->diag, item->word, "inverse has no effect on %s", d->shape->name);
-		draft_invert(d);
+		draft_invert(l, d);
 		return true;
 	case K_HOLLOW:
 		d->hollow = lower_switch(l, item, true);
@@ -209,8 +205,8 @@ void draft_modify(struct lowering *l, struct draft *d, const struct node *item)
 {
 	const struct node *n = node_resolve(item);
 	if (node_is_transform(item)) {
-		const transform t = lower_transform(l, item);
-		draft_transform(l, d, &t);
+		const struct step step = lower_step(l, item);
+		draft_transform(l, d, &step);
 		return;
 	}
 	switch (n->keyword) {

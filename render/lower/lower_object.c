@@ -109,35 +109,47 @@ static struct draft *draft_copy(struct lowering *l, const struct draft *d)
 	copy->texture = looks_copy(l, d->texture);
 	copy->interior_texture = looks_copy(l, d->interior_texture);
 	copy->interior = interior_copy(l, d->interior);
+	if (d->extent)
+		copy->extent = arena_copy(l->states, d->extent, sizeof *d->extent);
 	copy->clips = list_copy(l, d->clips);
 	copy->bounds = d->bounds_are_clips ? copy->clips : list_copy(l, d->bounds);
 	return copy;
 }
 
-static void list_transform(struct lowering *l, struct draft *list, const transform *t)
+struct step lower_step(struct lowering *l, const struct node *item)
 {
-	for (; list; list = list->next)
-		draft_transform(l, list, t);
+	return (struct step){ lower_transform(l, item), node_resolve(item)->keyword == K_SCALE };
 }
 
-void draft_transform(struct lowering *l, struct draft *d, const transform *t)
+void drafts_transform(struct lowering *l, struct draft *list, const struct step *step)
 {
-	list_transform(l, d->clips, t);
+	for (; list; list = list->next)
+		draft_transform(l, list, step);
+}
+
+void draft_transform(struct lowering *l, struct draft *d, const struct step *step)
+{
+	const transform *t = &step->t;
+	drafts_transform(l, d->clips, step);
 	if (!d->bounds_are_clips)
-		list_transform(l, d->bounds, t);
+		drafts_transform(l, d->bounds, step);
 	if (d->texture && !d->uv_mapping)
 		texture_state_transform(l, d->texture->state, t);
 	if (d->interior_texture && !d->uv_mapping)
 		texture_state_transform(l, d->interior_texture->state, t);
-	list_transform(l, d->children, t);
+	drafts_transform(l, d->children, step);
 	if (d->kind == DRAFT_LIGHT) {
 		light_transform(d->light, t);
-		list_transform(l, d->looks_like, t);
-		list_transform(l, d->projected_through, t);
+		drafts_transform(l, d->looks_like, step);
+		drafts_transform(l, d->projected_through, step);
+	} else if (d->shape && d->shape->step) {
+		d->shape->step(d->self, t, step->is_scale);
 	} else {
 		d->place = transform_compose(&d->place, t);
 		d->is_placed = true;
 	}
+	if (d->extent)
+		extent_move(l, d, t);
 }
 
 /* ---- primitives ---- */
@@ -234,6 +246,7 @@ static struct draft *draft_primitive(
 		d->shape = NULL;
 		d->self = NULL;
 	}
+	extent_begin(l, d);
 	for (const struct node *item = n->children; item; item = item->next) {
 		if (!is_flag_of(shape, item))
 			draft_modify(l, d, item);
@@ -265,7 +278,7 @@ static void read_children(struct lowering *l, const struct node *n, struct draft
 		if (!child)
 			continue;
 		if (d->is_difference && !first && child->kind != DRAFT_LIGHT)
-			draft_invert(child);
+			draft_invert(l, child);
 		first = first && child->kind == DRAFT_LIGHT;
 		*end = child;
 		end = &child->next;
@@ -289,6 +302,7 @@ static struct draft *draft_csg(struct lowering *l, const struct node *n)
 								      : CSG_INTERSECTION;
 	warn_of_few_members(l, n);
 	read_children(l, n, d);
+	extent_begin(l, d);
 	read_modifiers(l, n, d);
 	return d;
 }
@@ -298,6 +312,7 @@ static struct draft *draft_light(struct lowering *l, const struct node *n)
 	struct draft *d = draft_create(l, DRAFT_LIGHT, n);
 	d->light = ARENA_NEW(l->arena, struct light);
 	light_defaults(d->light);
+	extent_begin(l, d);
 	lower_light_items(l, n, d);
 	return d;
 }
@@ -306,6 +321,7 @@ static struct draft *draft_group(struct lowering *l, const struct node *n)
 {
 	struct draft *d = draft_create(l, DRAFT_GROUP, n);
 	read_children(l, n, d);
+	extent_begin(l, d);
 	for (const struct node *item = n->children; item; item = item->next) {
 		if (node_is_object(item))
 			continue;
@@ -320,6 +336,7 @@ static struct draft *draft_group(struct lowering *l, const struct node *n)
 static struct draft *draft_text(struct lowering *l, const struct node *n)
 {
 	struct draft *d = draft_create(l, DRAFT_TEXT, n);
+	extent_begin(l, d);
 	read_modifiers(l, n, d);
 	return d;
 }
@@ -381,8 +398,11 @@ static struct draft *draft_statement(struct lowering *l, const struct node *n)
 static struct draft *draft_complete(struct lowering *l, const struct node *n)
 {
 	struct draft *d = draft_statement(l, n);
-	if (d)
-		check_interior_texture(l, n, d);
+	if (!d)
+		return NULL;
+	check_interior_texture(l, n, d);
+	if (d->extent)
+		extent_cut(d);
 	return d;
 }
 

@@ -264,7 +264,7 @@ struct setting {
 	void *user;
 };
 
-static void set_outline(struct setting *s, double dx, double dy)
+static void set_outline(struct setting *s, double dx, double dy, double overhang)
 {
 	struct lowering *l = s->lowering;
 	FT_Outline *outline = &s->face->glyph->outline;
@@ -287,6 +287,7 @@ static void set_outline(struct setting *s, double dx, double dy)
 	g->segments = pen.segments;
 	g->count = pen.count;
 	g->thickness = s->thickness;
+	g->overhang = overhang;
 	glyph_finish(g);
 	struct object *o = ARENA_NEW(l->arena, struct object);
 	o->shape = &shape_glyph;
@@ -328,7 +329,8 @@ static void set_letter(struct setting *s, unsigned code, bool first, FT_UInt bef
 	const double start = ink_start(s->face, index, bearing);
 	const double kern = first ? 0 : kerning(s, before, index);
 	if (code != ' ' && has_ink && FT_Load_Glyph(s->face, index, FT_LOAD_NO_SCALE) == 0)
-		set_outline(s, first ? -start : s->x + bearing - start + kern, s->y);
+		set_outline(
+			s, first ? -start : s->x + bearing - start + kern, s->y, fmax(0, -start));
 	s->x += advance + (first ? -bearing : kern) + s->offset.x;
 	s->y += s->offset.y;
 }

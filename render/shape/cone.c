@@ -35,27 +35,11 @@ static const struct param cone_params[] = { PARAM_VECTOR("an end point", cone, a
 /* The frame with the given axis whose x and y have the length `radius`. */
 static transform axis_frame(vec3 base, vec3 axis, double radius)
 {
-	const vec3 w = vec_normalize(axis);
-	const vec3 any = fabs(w.x) < 0.5 ? vec(1, 0, 0) : vec(0, 1, 0);
-	const vec3 u = vec_normalize(vec_cross(any, w));
-	const vec3 v = vec_cross(w, u);
-	const double length = vec_length(axis);
-	const double size[3] = { radius, radius, length };
-	const vec3 axes[3] = { u, v, w };
-	transform t;
-	for (int i = 0; i < 3; i++) {
-		const vec3 d = axes[i];
-		const double m[3] = { d.x, d.y, d.z };
-		for (int j = 0; j < 3; j++) {
-			t.m[i][j] = m[j] * size[i];
-			t.inverse[j][i] = m[j] / size[i];
-		}
-		t.inverse[3][i] = -vec_dot(base, d) / size[i];
-	}
-	t.m[3][0] = base.x;
-	t.m[3][1] = base.y;
-	t.m[3][2] = base.z;
-	return t;
+	const transform size = transform_scale(vec(radius, radius, vec_length(axis)));
+	const transform turn = transform_turn_z(vec_normalize(axis));
+	const transform place = transform_translate(base);
+	const transform turned = transform_compose(&size, &turn);
+	return transform_compose(&turned, &place);
 }
 
 /* Between a (radius_a, at height 0) and b (radius_b, at height 1). */
@@ -89,7 +73,7 @@ static void cone_build(void *self, struct shape_build *build)
 		build->error(build->user, "the ends of a cone must not be the same point");
 		return;
 	}
-	if (c->radius_b < c->radius_a) { /* the wider end is the top */
+	if (c->radius_b <= c->radius_a) { /* the wider end is the top, or the first */
 		const struct cone old = *c;
 		c->a = old.b, c->radius_a = old.radius_b;
 		c->b = old.a, c->radius_b = old.radius_a;
@@ -121,6 +105,15 @@ static box cone_bounds(const void *self)
 	const vec3 top = transform_point(&c->frame, vec(0, 0, 1));
 	return box_union(
 		ellipse_box(bottom, u, v, c->base), ellipse_box(top, u, v, c->base + c->slope));
+}
+
+/* Its frame's box, as wide as the top all along. */
+static box cone_extent(const void *self, const transform *place)
+{
+	const struct cone *c = self;
+	const double wide = fabs(c->base + c->slope);
+	return box_placed(
+		transform_box(&c->frame, (box){ { -wide, -wide, 0 }, { wide, wide, 1 } }), place);
 }
 
 struct crossing {
@@ -254,6 +247,7 @@ const struct shape_class shape_cylinder = {
 	.build = cylinder_build,
 	.absorb = cone_absorb,
 	.bounds = cone_bounds,
+	.extent = cone_extent,
 	.nearest = cone_nearest,
 	.hits = cone_hits,
 	.chord = cone_chord,
@@ -269,6 +263,7 @@ const struct shape_class shape_cone = {
 	.build = cone_build,
 	.absorb = cone_absorb,
 	.bounds = cone_bounds,
+	.extent = cone_extent,
 	.nearest = cone_nearest,
 	.hits = cone_hits,
 	.chord = cone_chord,

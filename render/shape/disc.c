@@ -25,12 +25,8 @@ static void disc_build(void *self, struct shape_build *build)
 		build->dropped = true;
 		return;
 	}
-	const vec3 u = vec_normalize(vec_cross(fabs(w.x) < 0.5 ? vec(1, 0, 0) : vec(0, 1, 0), w));
-	const vec3 v = vec_cross(w, u);
-	const vec3 c = d->centre;
-	const double frame[12] = { u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z, c.x, c.y, c.z };
-	if (!transform_matrix(frame, &d->frame))
-		build->dropped = true;
+	const transform turn = transform_turn_z(w), place = transform_translate(d->centre);
+	d->frame = transform_compose(&turn, &place);
 }
 
 static bool disc_absorb(void *self, const transform *t)
@@ -49,6 +45,14 @@ static box disc_bounds(const void *self)
 	const vec3 v = transform_direction(&d->frame, vec(0, r, 0));
 	const vec3 reach = vec(hypot(u.x, v.x), hypot(u.y, v.y), hypot(u.z, v.z));
 	return (box){ vec_sub(centre, reach), vec_add(centre, reach) };
+}
+
+static box disc_extent(const void *self, const transform *place)
+{
+	const struct disc *d = self;
+	const double r = fabs(d->radius), thin = 1e-3;
+	return box_placed(
+		transform_box(&d->frame, (box){ { -r, -r, -thin }, { r, r, thin } }), place);
 }
 
 /* No number when the ray misses. */
@@ -99,6 +103,7 @@ const struct shape_class shape_disc = {
 	.build = disc_build,
 	.absorb = disc_absorb,
 	.bounds = disc_bounds,
+	.extent = disc_extent,
 	.nearest = disc_nearest,
 	.hits = disc_hits,
 	.inside = disc_inside,

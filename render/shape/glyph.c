@@ -170,6 +170,18 @@ static box glyph_bounds(const void *self)
 	return g->outline;
 }
 
+/* By as much as the letter overhangs to the left, the language counts more to the right. */
+static box glyph_extent(const void *self, const transform *place)
+{
+	const double thin = 1e-6;
+	const struct glyph *g = self;
+	box b = g->outline;
+	b.hi.x += g->overhang;
+	b.lo.z -= thin;
+	b.hi.z += thin;
+	return box_placed(b, place);
+}
+
 static bool glyph_inside(const void *self, vec3 p)
 {
 	const struct glyph *g = self;
@@ -200,6 +212,7 @@ const struct shape_class shape_glyph = {
 	.name = "text",
 	.size = sizeof(struct glyph),
 	.bounds = glyph_bounds,
+	.extent = glyph_extent,
 	.nearest = glyph_nearest,
 	.hits = glyph_hits,
 	.inside = glyph_inside,

@@ -18,7 +18,8 @@ struct glyph {
 	const struct glyph_segment *segments;
 	size_t count;
 	double thickness;
-	box outline; /* x and y of all points; z between 0 and thickness */
+	double overhang; /* how far the letter reaches to the left of where it stands; for the extent */
+	box outline;	 /* x and y of all points; z between 0 and thickness */
 };
 
 extern const struct shape_class shape_glyph;

@@ -128,6 +128,34 @@ static box polygon_bounds(const void *self)
 	return pg->bounds;
 }
 
+/* Where an edge begins. */
+static vec3 edge_start(const struct polygon *pg, const struct edge *e)
+{
+	const double n[3] = { pg->normal.x, pg->normal.y, pg->normal.z };
+	const int across = pg->across, up = pg->up, away = 3 - across - up;
+	double p[3];
+	p[across] = e->x[0];
+	p[up] = e->y[0];
+	p[away] = (pg->distance - n[across] * p[across] - n[up] * p[up]) / n[away];
+	return vec(p[0], p[1], p[2]);
+}
+
+/* Of its points; where that has no thickness it is given some. */
+static box polygon_extent(const void *self, const transform *place)
+{
+	const struct polygon *pg = self;
+	const double thin = 1e-3;
+	box b = box_nothing();
+	for (size_t i = 0; i < pg->edge_count; i++) {
+		const vec3 p = edge_start(pg, &pg->edges[i]);
+		b = box_add_point(b, place ? transform_point(place, p) : p);
+	}
+	const vec3 size = vec_sub(b.hi, b.lo);
+	const vec3 more =
+		vec(size.x < thin ? thin : 0, size.y < thin ? thin : 0, size.z < thin ? thin : 0);
+	return (box){ vec_sub(b.lo, more), vec_add(b.hi, more) };
+}
+
 /* Even-odd, by the edges to one side; the half-open comparison counts a shared point once. */
 static bool in_outline(const struct polygon *pg, double x, double y)
 {
@@ -185,6 +213,7 @@ const struct shape_class shape_polygon = {
 	.params = polygon_params,
 	.build = polygon_build,
 	.bounds = polygon_bounds,
+	.extent = polygon_extent,
 	.nearest = polygon_nearest,
 	.hits = polygon_hits,
 	.inside = polygon_inside,

@@ -268,6 +268,52 @@ static bool quadric_chord(const void *self, const ray *r, struct chord *chord)
 	return true;
 }
 
+/* The least value of s t² + l t between lo and hi. */
+static double least_term(double s, double l, double lo, double hi)
+{
+	if (s > 0) {
+		const double t = fmin(fmax(-0.5 * l / s, lo), hi);
+		return t * (s * t + l);
+	}
+	if ((hi >= BOX_UNBOUNDED && (s < 0 || l < 0)) || (lo <= -BOX_UNBOUNDED && (s < 0 || l > 0)))
+		return -INFINITY;
+	return fmin(lo * (s * lo + l), hi * (s * hi + l));
+}
+
+/* Cuts lo to hi to where s t² + l t + rest <= 0 is possible. */
+static void cut_interval(double s, double l, double rest, double *lo, double *hi)
+{
+	if (!isfinite(rest) || s < 0)
+		return;
+	if (s > 0) {
+		const double middle = -0.5 * l / s;
+		const double reach = sqrt(fmax(0, middle * middle - rest / s));
+		*lo = fmax(*lo, middle - reach);
+		*hi = fmin(*hi, middle + reach);
+	} else if (l > 0) {
+		*hi = fmin(*hi, -rest / l);
+	} else if (l < 0) {
+		*lo = fmax(*lo, -rest / l);
+	}
+}
+
+static box quadric_extent_within(const void *self, box b)
+{
+	const struct quadric *q = self;
+	const vec3 s = q->squares, l = q->linear;
+	if (q->has_mixed)
+		return b;
+	double x = least_term(s.x, l.x, b.lo.x, b.hi.x);
+	double y = least_term(s.y, l.y, b.lo.y, b.hi.y);
+	const double z = least_term(s.z, l.z, b.lo.z, b.hi.z);
+	cut_interval(s.x, l.x, q->constant + y + z, &b.lo.x, &b.hi.x);
+	x = least_term(s.x, l.x, b.lo.x, b.hi.x);
+	cut_interval(s.y, l.y, q->constant + x + z, &b.lo.y, &b.hi.y);
+	y = least_term(s.y, l.y, b.lo.y, b.hi.y);
+	cut_interval(s.z, l.z, q->constant + x + y, &b.lo.z, &b.hi.z);
+	return b;
+}
+
 static bool quadric_inside(const void *self, vec3 p)
 {
 	return quadric_value(self, p) <= 0;
@@ -289,6 +335,8 @@ const struct shape_class shape_quadric = {
 	.build = quadric_build,
 	.absorb = quadric_absorb,
 	.bounds = quadric_bounds,
+	.extent_within = quadric_extent_within,
+	.moves_extent = true,
 	.nearest = quadric_nearest,
 	.hits = quadric_hits,
 	.chord = quadric_chord,

@@ -46,6 +46,13 @@ static box superellipsoid_bounds(const void *self)
 	return (box){ { -1, -1, -1 }, { 1, 1, 1 } };
 }
 
+static box superellipsoid_extent(const void *self, const transform *place)
+{
+	(void)self;
+	const double side = 1.0001;
+	return box_placed((box){ { -side, -side, -side }, { side, side, side } }, place);
+}
+
 /* g(a, b; k) of numbers that are not negative, and its derivatives. */
 static double power_mean(double a, double b, double k, double *by_a, double *by_b)
 {
@@ -276,6 +283,7 @@ const struct shape_class shape_superellipsoid = {
 	.params = superellipsoid_params,
 	.build = superellipsoid_build,
 	.bounds = superellipsoid_bounds,
+	.extent = superellipsoid_extent,
 	.nearest = superellipsoid_nearest,
 	.hits = superellipsoid_hits,
 	.inside = superellipsoid_inside,

@@ -16,7 +16,7 @@ struct triangle {
 
 struct smooth_triangle {
 	struct triangle flat;
-	vec3 normals[3]; /* unit */
+	vec3 normals[3]; /* unit, unless a matrix has changed that */
 };
 
 static const struct param triangle_params[] = { PARAM_VECTOR("a corner", triangle, p[0]),
@@ -80,21 +80,30 @@ static void smooth_triangle_build(void *self, struct shape_build *build)
 	build->dropped = true;
 }
 
-static bool smooth_triangle_absorb(void *self, const transform *t)
+/* A matrix may change the lengths of the normals, and so their weights; scale makes them 1. */
+static void smooth_triangle_step(void *self, const transform *t, bool is_scale)
 {
 	struct smooth_triangle *s = self;
 	triangle_absorb(&s->flat, t);
-	for (int i = 0; i < 3; i++)
-		s->normals[i] = vec_normalize(transform_normal(t, s->normals[i]));
+	for (int i = 0; i < 3; i++) {
+		const vec3 n = transform_normal(t, s->normals[i]);
+		s->normals[i] = is_scale ? vec_normalize(n) : n;
+	}
 	if (!normals_agree(s))
 		s->flat.normal = vec(0, 0, 0);
-	return true;
 }
 
 static box triangle_bounds(const void *self)
 {
 	const struct triangle *tr = self;
 	return box_add_point(box_add_point((box){ tr->p[0], tr->p[0] }, tr->p[1]), tr->p[2]);
+}
+
+static box triangle_extent(const void *self, const transform *place)
+{
+	const box b = triangle_bounds(self);
+	const vec3 thin = vec(1e-10, 1e-10, 1e-10);
+	return box_placed((box){ vec_sub(b.lo, thin), vec_add(b.hi, thin) }, place);
 }
 
 static inline bool triangle_cross(
@@ -157,6 +166,7 @@ const struct shape_class shape_triangle = {
 	.build = triangle_build,
 	.absorb = triangle_absorb,
 	.bounds = triangle_bounds,
+	.extent = triangle_extent,
 	.nearest = triangle_nearest,
 	.hits = triangle_hits,
 	.normal = triangle_normal,
@@ -168,8 +178,9 @@ const struct shape_class shape_smooth_triangle = {
 	.params = smooth_triangle_params,
 	.is_patch = true,
 	.build = smooth_triangle_build,
-	.absorb = smooth_triangle_absorb,
+	.step = smooth_triangle_step,
 	.bounds = triangle_bounds,
+	.extent = triangle_extent,
 	.nearest = triangle_nearest,
 	.hits = triangle_hits,
 	.normal = smooth_triangle_normal,

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The boxes that min_extent and max_extent tell of. Scenes place things by them,
+ * so they are those of the language, not the tightest: the corners of a shape's
+ * own box are moved, a compound's box again with each transformation, and a clip
+ * counts only if its box is the smaller one. Kept while an object is read.
+ */
+#include "render/lower/draft.h"
+
+/* A box longer than this is no bound. */
+#define LONGEST 1e6
+/* Volumes nearer than this share are equal, as they are in single precision. */
+#define SAME 1e-6
+
+static double volume(box b)
+{
+	const vec3 size = vec_sub(b.hi, b.lo);
+	return size.x * size.y * size.z;
+}
+
+/* Half-spaces, which planes have, bound nothing by themselves. */
+static box whole(box b)
+{
+	return box_is_unbounded(b) ? box_everything() : b;
+}
+
+/* ---- primitives ---- */
+
+static box box_of_shape(const struct shape_class *shape, const void *self, const transform *place)
+{
+	return shape->extent ? shape->extent(self, place) : box_placed(shape->bounds(self), place);
+}
+
+static bool absorbs(struct lowering *l, const struct draft *d, const transform *t, void **moved)
+{
+	*moved = arena_copy(l->states, d->self, d->shape->size);
+	return d->shape->absorb && d->shape->absorb(*moved, t);
+}
+
+static box box_of_placed(struct lowering *l, const struct draft *d)
+{
+	const struct extent *e = d->extent;
+	void *moved;
+	absorbs(l, d, &e->absorbed, &moved);
+	return box_of_shape(d->shape, moved, e->has_rest ? &e->rest : NULL);
+}
+
+/* A shape takes in what it can; from the first transformation on that it cannot, its corners move. */
+static void move_shape(struct lowering *l, struct draft *d, const transform *t)
+{
+	struct extent *e = d->extent;
+	const transform all = transform_compose(&e->absorbed, t);
+	void *moved;
+	if (!e->has_rest && absorbs(l, d, &all, &moved)) {
+		e->absorbed = all;
+	} else {
+		e->rest = transform_compose(&e->rest, t);
+		e->has_rest = true;
+	}
+	e->box = box_of_placed(l, d);
+}
+
+/* ---- compounds ---- */
+
+static box hull_of_children(const struct draft *d)
+{
+	box b = box_nothing();
+	for (const struct draft *child = d->children; child; child = child->next)
+		b = box_union(b, whole(child->extent->box));
+	return b;
+}
+
+static bool is_counted(const struct draft *child)
+{
+	return !child->extent->inverted && child->kind != DRAFT_LIGHT;
+}
+
+/* Also of planes along the axes; last come shapes whose reach depends on the others. */
+static box common_of_children(struct lowering *l, const struct draft *d)
+{
+	box b = box_everything();
+	for (const struct draft *child = d->children; child; child = child->next) {
+		if (is_counted(child))
+			b = box_intersection(b, child->extent->box);
+	}
+	for (const struct draft *child = d->children; child; child = child->next) {
+		void *moved;
+		if (is_counted(child) && child->shape && child->shape->extent_within &&
+			absorbs(l, child, &child->place, &moved))
+			b = child->shape->extent_within(moved, b);
+	}
+	return b;
+}
+
+static void add_letter(void *user, struct object *letter)
+{
+	box *hull = user;
+	*hull = box_union(*hull, box_of_shape(letter->shape, letter->self, letter->place));
+}
+
+static box hull_of_letters(struct lowering *l, const struct draft *d)
+{
+	box hull = box_nothing();
+	lower_text(l, d->node, NULL, add_letter, &hull);
+	return hull;
+}
+
+/* ---- the life of a draft ---- */
+
+static box first_box(struct lowering *l, const struct draft *d)
+{
+	switch (d->kind) {
+	case DRAFT_SHAPE:
+		return box_of_shape(d->shape, d->self, NULL);
+	case DRAFT_TEXT:
+		return hull_of_letters(l, d);
+	case DRAFT_LIGHT:
+		return box_everything();
+	default:
+		return d->csg == CSG_INTERSECTION ? common_of_children(l, d) : hull_of_children(d);
+	}
+}
+
+static bool is_long(box b)
+{
+	const vec3 size = vec_sub(b.hi, b.lo);
+	return size.x > LONGEST || size.y > LONGEST || size.z > LONGEST;
+}
+
+void extent_begin(struct lowering *l, struct draft *d)
+{
+	if (!l->keeps_extents)
+		return;
+	struct extent *e = ARENA_NEW(l->states, struct extent);
+	e->absorbed = e->rest = transform_identity();
+	e->box = first_box(l, d);
+	if (d->kind == DRAFT_CSG && is_long(e->box))
+		e->box = box_everything();
+	d->extent = e;
+}
+
+void extent_move(struct lowering *l, struct draft *d, const transform *t)
+{
+	if (d->kind == DRAFT_SHAPE && d->shape->step)
+		d->extent->box = box_of_shape(d->shape, d->self, NULL);
+	else if (d->kind == DRAFT_SHAPE && !d->shape->moves_extent)
+		move_shape(l, d, t);
+	else if (!box_is_empty(d->extent->box))
+		d->extent->box = transform_box(t, d->extent->box);
+}
+
+/* A shape that turns itself inside out (plane) is a shape like others afterwards. */
+void extent_invert(struct lowering *l, struct draft *d)
+{
+	if (d->kind == DRAFT_SHAPE && d->shape->invert)
+		d->extent->box = box_of_placed(l, d);
+	else
+		d->extent->inverted = !d->extent->inverted;
+}
+
+static void cut_by(struct extent *e, const struct draft *list)
+{
+	box b = box_everything();
+	for (; list; list = list->next) {
+		if (!list->extent->inverted)
+			b = box_intersection(b, list->extent->box);
+	}
+	if (!box_is_empty(b) && volume(b) < (1 - SAME) * volume(whole(e->box)))
+		e->box = b;
+}
+
+void extent_cut(struct draft *d)
+{
+	cut_by(d->extent, d->clips);
+	if (!d->bounds_are_clips)
+		cut_by(d->extent, d->bounds);
+}
