@@ -43,7 +43,7 @@ struct hooks *hooks_create(struct diag *diag, const struct parse_options *files)
 	h->options =
 		(struct lower_options){ .width = 1, .height = 1, .quality = 9, .files = files };
 	lowering_init(&h->lowering, &h->options, diag, h->scene);
-	h->lowering.keeps_extents = true;
+	h->lowering.for_questions = true;
 	lowering_settle(&h->lowering, h->state);
 	return h;
 }

@@ -122,7 +122,9 @@ struct containment containment_at(const struct scene *scene, vec3 p, struct aren
 		found = ARENA_ARRAY(arena, room, const struct object *);
 		count = accel_containing(scene->accel, p, found, room);
 	}
-	for (size_t i = 0; i < count; i++)
-		append(&c, object_interior(found[i]), arena);
+	for (size_t i = 0; i < count; i++) {
+		if (!found[i]->is_repeat)
+			append(&c, object_interior(found[i]), arena);
+	}
 	return c;
 }

@@ -229,7 +229,7 @@ bool object_is_solid(const struct object *o)
 	if (o->shape != &shape_csg)
 		return o->shape->inside != NULL;
 	const struct csg *csg = o->self;
-	for (size_t i = 0; i < csg->count; i++) {
+	for (size_t i = 0; i < csg->count + csg->unseen; i++) {
 		if (object_is_solid(csg->children[i]))
 			return true;
 	}

@@ -51,6 +51,7 @@ struct object {
 	uint32_t visible_to; /* enum ray_kind bits */
 	uint32_t rank;	     /* wins exact ties by the lower rank */
 	bool inverted;	     /* `inverse`: complement, normal negated */
+	bool is_repeat; /* another object is the same to other rays: not counted twice around a point */
 	bool hollow, double_illuminate;
 	bool uv_mapping;
 	bool has_chord;		   /* object_chord may be asked; set with the bounds */

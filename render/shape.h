@@ -156,8 +156,8 @@ const struct shape_class *shape_find(const char *word);
 enum csg_kind { CSG_UNION, CSG_MERGE, CSG_INTERSECTION };
 struct csg {
 	enum csg_kind kind;
-	size_t count;
-	const struct object *const *children;
+	size_t count, unseen;		      /* of a union or merge: then come some more … */
+	const struct object *const *children; /* … whose inside counts, but not their surface */
 };
 extern const struct shape_class shape_csg;
 

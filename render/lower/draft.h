@@ -68,6 +68,8 @@ struct draft {
 
 /* An object statement, or a reference to one. NULL after an error. */
 struct draft *draft_from_node(struct lowering *, const struct node *);
+/* A copy but for lights and interiors: what rays enter and leave stays the same. */
+struct draft *draft_twin(struct lowering *, const struct draft *);
 /* The first object of a block (looks_like { … }) with the block's modifiers applied. */
 struct draft *draft_from_block(struct lowering *, const struct node *);
 bool node_is_object(const struct node *);

@@ -129,7 +129,7 @@ static bool is_long(box b)
 
 void extent_begin(struct lowering *l, struct draft *d)
 {
-	if (!l->keeps_extents)
+	if (!l->for_questions)
 		return;
 	struct extent *e = ARENA_NEW(l->states, struct extent);
 	e->absorbed = e->rest = transform_identity();

@@ -18,6 +18,9 @@ struct heritage {
 	const struct light *const *lights;
 	bool global_lights;
 	const struct language_state *state;
+	uint32_t
+		only; /* the kind of ray this is made for, where rays see different things; else 0 */
+	bool is_repeat; /* after others for other rays: lights are there already */
 };
 
 struct object_list {
@@ -215,13 +218,15 @@ static void add_glyph(void *user, struct object *o)
 
 /* ---- compounds ---- */
 
+/* The last `unseen` children have no surface. */
 static struct object *wrap(struct lowering *l, enum csg_kind kind,
-	const struct object_list *children, const struct heritage *h)
+	const struct object_list *children, size_t unseen, const struct heritage *h)
 {
 	struct object *o = ARENA_NEW(l->arena, struct object);
 	struct csg *csg = ARENA_NEW(l->arena, struct csg);
 	csg->kind = kind;
-	csg->count = children->count;
+	csg->count = children->count - unseen;
+	csg->unseen = unseen;
 	csg->children =
 		arena_copy(l->arena, children->items, children->count * sizeof(struct object *));
 	bool opaque = true, any_shadow = false;
@@ -248,7 +253,7 @@ static struct object *collect_one(struct lowering *l, struct draft *d, const str
 	collect(l, d, h, &list);
 	struct object *o = list.count == 1 ? list.items[0] : NULL;
 	if (!o) {
-		o = wrap(l, CSG_UNION, &list, h);
+		o = wrap(l, CSG_UNION, &list, 0, h);
 		object_set_bounds(o);
 	}
 	free(list.items);
@@ -318,20 +323,83 @@ static void intersect_bounds(struct object *o, const struct object *const *bound
 	}
 }
 
+/* ---- children that not all rays see ---- */
+
+static bool has_flags_within(const struct draft *d)
+{
+	for (const struct draft *child = d->children; child; child = child->next) {
+		if (child->no_image || child->no_reflection || child->no_shadow ||
+			has_flags_within(child))
+			return true;
+	}
+	return false;
+}
+
+/* Whether a union stays one object. Bounds that cut nothing off only matter to flags. */
+static bool is_kept(const struct draft *d)
+{
+	return d->clips || !d->split_union || (d->bounds && has_flags_within(d));
+}
+
+/*
+ * Within a merge, and a union that stays one object, a child with no_image or no_reflection is
+ * unseen by some rays: then the object is made several times, each time for other rays. Camera
+ * rays see the no_image children of a union all the same, as in POV-Ray.
+ */
+static bool is_left_out(
+	const struct draft *parent, const struct draft *child, const struct heritage *h)
+{
+	if (!h->only || parent->csg == CSG_INTERSECTION)
+		return false;
+	const bool sees_all = parent->csg == CSG_UNION && h->only == RAY_CAMERA;
+	return h->only == RAY_REFLECTED ? child->no_reflection : child->no_image && !sees_all;
+}
+
+/* The kinds of rays for which some child within is left out. */
+static uint32_t missing_for(const struct draft *d, bool in_compound)
+{
+	const bool is_compound =
+		d->kind == DRAFT_CSG && (in_compound || d->csg != CSG_UNION || is_kept(d));
+	const bool leaves_out = is_compound && d->csg != CSG_INTERSECTION;
+	uint32_t kinds = 0;
+	for (const struct draft *child = d->children; child; child = child->next) {
+		kinds |= missing_for(child, is_compound);
+		if (leaves_out && child->no_image)
+			kinds |= RAY_CAMERA | RAY_SECONDARY;
+		if (leaves_out && child->no_reflection)
+			kinds |= RAY_REFLECTED;
+	}
+	return kinds;
+}
+
+/* Adds the children that are left out; their number. */
+static size_t collect_unseen(
+	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *members)
+{
+	const size_t before = members->count;
+	for (struct draft *child = d->children; child; child = child->next) {
+		if (is_left_out(d, child, h))
+			list_add(members, collect_one(l, child, h));
+	}
+	return members->count - before;
+}
+
 static void collect_union(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
 	struct object_list members = { NULL, 0, 0 };
 	for (struct draft *child = d->children; child; child = child->next)
-		collect(l, child, h, &members);
+		if (!is_left_out(d, child, h))
+			collect(l, child, h, &members);
+	const size_t unseen = collect_unseen(l, d, h, &members);
 	const struct object *const *bounds;
 	uint32_t bound_count;
 	finish_bounds(l, d, h, &members, &bounds, &bound_count);
-	if (!d->clips && !bound_count && d->split_union) {
+	if (!bound_count && !unseen && !is_kept(d)) {
 		for (size_t i = 0; i < members.count; i++)
 			list_add(out, members.items[i]);
 	} else if (members.count) {
-		struct object *o = wrap(l, CSG_UNION, &members, h);
+		struct object *o = wrap(l, CSG_UNION, &members, unseen, h);
 		finish_cutting(l, d, h, o);
 		o->bounds_by = bounds;
 		o->bound_count = bound_count;
@@ -349,11 +417,12 @@ static void collect_compound(
 	for (struct draft *child = d->children; child; child = child->next) {
 		if (child->kind == DRAFT_LIGHT)
 			collect(l, child, h, out);
-		else
+		else if (!is_left_out(d, child, h))
 			list_add(&members, collect_one(l, child, h));
 	}
+	const size_t unseen = collect_unseen(l, d, h, &members);
 	if (members.count) {
-		struct object *o = wrap(l, d->csg, &members, h);
+		struct object *o = wrap(l, d->csg, &members, unseen, h);
 		finish_cutting(l, d, h, o);
 		object_set_bounds(o);
 		struct object_list self = { &o, 1, 1 };
@@ -372,7 +441,7 @@ static void collect_text(
 	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
 	lower_text(l, d->node, &d->place, add_glyph, &glyphs);
 	if (letters.count) {
-		struct object *o = wrap(l, CSG_INTERSECTION, &letters, h);
+		struct object *o = wrap(l, CSG_INTERSECTION, &letters, 0, h);
 		object_set_bounds(o);
 		list_add(out, o);
 	}
@@ -417,10 +486,10 @@ static void collect_group(
 	own.lights = lights;
 	own.global_lights = d->global_lights;
 	for (struct draft *child = d->children; child; child = child->next) {
-		if (child->kind == DRAFT_LIGHT)
-			collect_light(l, child, h, true, out);
-		else
+		if (child->kind != DRAFT_LIGHT)
 			collect(l, child, &own, out);
+		else if (!h->is_repeat)
+			collect_light(l, child, h, true, out);
 	}
 }
 
@@ -430,7 +499,8 @@ static void collect(
 	const struct heritage h = inherit(parent, d);
 	switch (d->kind) {
 	case DRAFT_LIGHT:
-		collect_light(l, d, &h, false, out);
+		if (!h.is_repeat)
+			collect_light(l, d, &h, false, out);
 		break;
 	case DRAFT_GROUP:
 		collect_group(l, d, &h, out);
@@ -457,17 +527,36 @@ static void collect(
 	}
 }
 
+/* For rays of these kinds. */
+static void emit(struct lowering *l, struct draft *d, const struct heritage *h, uint32_t kinds)
+{
+	struct object_list list = { NULL, 0, 0 };
+	collect(l, d, h, &list);
+	for (size_t i = 0; i < list.count; i++) {
+		struct object *o = list.items[i];
+		o->visible_to &= kinds;
+		o->is_repeat = h->is_repeat;
+		if (o->visible_to || kinds == RAY_ALL)
+			scene_add_object(l->scene, o);
+	}
+	free(list.items);
+}
+
 void draft_emit(struct lowering *l, struct draft *d, const struct language_state *state)
 {
+	static const uint32_t apart[] = { RAY_CAMERA, RAY_SECONDARY, RAY_REFLECTED };
 	struct draft_interior *fallback = NULL;
-	const struct heritage none = {
-		.fallback = &fallback, .global_lights = true, .state = state
-	};
-	struct object_list list = { NULL, 0, 0 };
-	collect(l, d, &none, &list);
-	for (size_t i = 0; i < list.count; i++)
-		scene_add_object(l->scene, list.items[i]);
-	free(list.items);
+	struct heritage h = { .fallback = &fallback, .global_lights = true, .state = state };
+	const uint32_t missing = l->for_questions ? 0 : missing_for(d, false);
+	for (size_t i = 0; missing && i < sizeof apart / sizeof *apart; i++) {
+		if (!(missing & apart[i]))
+			continue;
+		h.only = apart[i];
+		emit(l, draft_twin(l, d), &h, h.only);
+		h.is_repeat = true;
+	}
+	h.only = 0;
+	emit(l, d, &h, RAY_ALL & ~missing);
 }
 
 const struct object *lower_inside_object(struct lowering *l, const struct node *block)

@@ -37,8 +37,8 @@ struct lowering {
 	double wave_count;		   /* number_of_waves */
 	int **generators; /* where the noise generator is to be put that holds at the end */
 	size_t generator_count, generator_room;
-	bool keeps_extents;		       /* of objects, for min_extent and max_extent */
-	bool given_up;			       /* after too many errors */
+	bool for_questions; /* of the language about objects: keeps extents, and any ray sees all */
+	bool given_up;	    /* after too many errors */
 	bool has_uv_mapping;		       /* some texture met so far has it, within itself */
 	struct pointer_map drafts;	       /* declared objects drafted already, by node */
 	struct pointer_map functions;	       /* compiled already, by struct function */

@@ -116,6 +116,22 @@ static struct draft *draft_copy(struct lowering *l, const struct draft *d)
 	return copy;
 }
 
+static void share_identities(struct draft *copy, const struct draft *original)
+{
+	copy->interior = original->interior;
+	copy->light = original->light;
+	const struct draft *from = original->children;
+	for (struct draft *to = copy->children; to; to = to->next, from = from->next)
+		share_identities(to, from);
+}
+
+struct draft *draft_twin(struct lowering *l, const struct draft *d)
+{
+	struct draft *copy = draft_copy(l, d);
+	share_identities(copy, d);
+	return copy;
+}
+
 struct step lower_step(struct lowering *l, const struct node *item)
 {
 	return (struct step){ lower_transform(l, item), node_resolve(item)->keyword == K_SCALE };

@@ -20,7 +20,7 @@ static box csg_bounds(const void *self)
 	if (csg->count > 0 && csg->kind == CSG_INTERSECTION)
 		return box_cut(box_everything(), csg->children, csg->count);
 	box b = box_nothing();
-	for (size_t i = 0; i < csg->count; i++) {
+	for (size_t i = 0; i < csg->count + csg->unseen; i++) {
 		/* a complement has no bounds (a difference within a difference) */
 		if (csg->children[i]->inverted)
 			return box_everything();
@@ -33,7 +33,7 @@ static bool csg_inside(const void *self, vec3 p)
 {
 	const struct csg *csg = self;
 	const bool decides = csg->kind != CSG_INTERSECTION;
-	for (size_t i = 0; i < csg->count; i++) {
+	for (size_t i = 0; i < csg->count + csg->unseen; i++) {
 		if (object_inside(csg->children[i], p) == decides)
 			return decides;
 	}
