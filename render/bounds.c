@@ -135,12 +135,15 @@ static box box_widened(box b)
 void object_set_bounds(struct object *o)
 {
 	const struct shape_class *shape = o->shape;
-	o->has_chord = shape->chord && o->clip_count == 0 &&
+	const struct object_extras *e = o->extras;
+	o->has_chord = shape->chord && !(e && e->clip_count) &&
 		       (!shape->has_chord || shape->has_chord(o->self));
 	box b = shape->bounds(o->self);
 	if (o->place && !box_is_empty(b))
 		b = transform_box(o->place, b);
-	b = cut(b, o, o->clips, o->clip_count);
-	b = cut(b, o, o->bounds_by, o->bound_count);
+	if (e) {
+		b = cut(b, o, e->clips, e->clip_count);
+		b = cut(b, o, e->bounds_by, e->bound_count);
+	}
 	o->bounds = box_is_empty(b) ? box_nothing() : box_widened(b);
 }

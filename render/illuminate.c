@@ -221,7 +221,8 @@ rgb illuminate(struct worker *w, const struct point *at, const struct coat *coat
 			sum = rgb_add(sum, light_one(w, at, coat, w->lights[i], in));
 		}
 	}
-	for (const struct light *const *l = at->object->lights; l && *l; l++) {
+	const struct object_extras *extras = at->object->extras;
+	for (const struct light *const *l = extras ? extras->lights : NULL; l && *l; l++) {
 		struct incidence own = { .known = false };
 		sum = rgb_add(sum, light_one(w, at, coat, *l, &own));
 	}

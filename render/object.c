@@ -70,10 +70,10 @@ static bool meets(const struct object *o, const ray *r)
 	return object_nearest(o, r, T_MIN, T_MISS, &hit) || object_inside(o, r->origin);
 }
 
-static bool within_bounds(const struct object *o, const ray *r)
+static bool within_bounds(const struct object_extras *e, const ray *r)
 {
-	for (uint32_t i = 0; i < o->bound_count; i++) {
-		if (!meets(o->bounds_by[i], r))
+	for (uint32_t i = 0; i < e->bound_count; i++) {
+		if (!meets(e->bounds_by[i], r))
 			return false;
 	}
 	return true;
@@ -81,10 +81,10 @@ static bool within_bounds(const struct object *o, const ray *r)
 
 /* Cuts off what no hit inside the clips can be in; false if that is everything. Only a first cut:
  * what is near the surface of a clip is left to inside_all. */
-static bool narrow_to_clips(const struct object *o, const ray *r, double *tmin, double *tmax)
+static bool narrow_to_clips(const struct object_extras *e, const ray *r, double *tmin, double *tmax)
 {
-	for (uint32_t i = 0; i < o->clip_count; i++) {
-		const struct object *clip = o->clips[i];
+	for (uint32_t i = 0; i < e->clip_count; i++) {
+		const struct object *clip = e->clips[i];
 		if (!clip->has_chord || clip->inverted)
 			continue;
 		struct chord c;
@@ -100,11 +100,12 @@ static bool narrow_to_clips(const struct object *o, const ray *r, double *tmin, 
 
 /* ---- rays ---- */
 
-static void keep_clipped(const struct object *o, const ray *r, size_t first, struct hits *out)
+static void keep_clipped(
+	const struct object_extras *e, const ray *r, size_t first, struct hits *out)
 {
 	size_t kept = first;
 	for (size_t i = first; i < out->count; i++) {
-		if (inside_all(o->clips, o->clip_count, ray_at(*r, out->items[i].t)))
+		if (inside_all(e->clips, e->clip_count, ray_at(*r, out->items[i].t)))
 			out->items[kept++] = out->items[i];
 	}
 	out->count = kept;
@@ -128,14 +129,19 @@ static void shape_hits(
 
 void object_hits(const struct object *o, const ray *r, double tmin, double tmax, struct hits *out)
 {
-	if (o->bound_count && !within_bounds(o, r))
+	const struct object_extras *e = o->extras;
+	if (!e) {
+		shape_hits(o, r, tmin, tmax, out);
 		return;
-	if (o->clip_count && !narrow_to_clips(o, r, &tmin, &tmax))
+	}
+	if (e->bound_count && !within_bounds(e, r))
+		return;
+	if (e->clip_count && !narrow_to_clips(e, r, &tmin, &tmax))
 		return;
 	const size_t first = out->count;
 	shape_hits(o, r, tmin, tmax, out);
-	if (o->clip_count)
-		keep_clipped(o, r, first, out);
+	if (e->clip_count)
+		keep_clipped(e, r, first, out);
 }
 
 /* The nearest of all hits; the later of equal ones. `hits` excludes tmin itself, so the interval is
@@ -179,13 +185,14 @@ static inline bool nearest_on_shape(
 static bool nearest_clipped(
 	const struct object *o, const ray *r, double tmin, double tmax, struct hit *found)
 {
-	if (o->bound_count && !within_bounds(o, r))
+	const struct object_extras *e = o->extras;
+	if (e->bound_count && !within_bounds(e, r))
 		return false;
-	if (!narrow_to_clips(o, r, &tmin, &tmax))
+	if (!narrow_to_clips(e, r, &tmin, &tmax))
 		return false;
 	struct hit hit;
 	while (nearest_on_shape(o, r, tmin, tmax, &hit)) {
-		if (inside_all(o->clips, o->clip_count, ray_at(*r, hit.t))) {
+		if (inside_all(e->clips, e->clip_count, ray_at(*r, hit.t))) {
 			*found = hit;
 			return true;
 		}
@@ -199,7 +206,7 @@ bool object_nearest(
 {
 	if (!o->shape->nearest)
 		return nearest_of_hits(o, r, tmin, tmax, found);
-	if (o->clip_count | o->bound_count)
+	if (o->extras && (o->extras->clip_count | o->extras->bound_count))
 		return nearest_clipped(o, r, tmin, tmax, found);
 	return nearest_on_shape(o, r, tmin, tmax, found);
 }
@@ -213,7 +220,7 @@ bool object_inside(const struct object *o, vec3 p)
 	const vec3 local = o->place ? transform_point_back(o->place, p) : p;
 	if (o->shape->inside(o->self, local) == o->inverted)
 		return false;
-	return inside_all(o->clips, o->clip_count, p);
+	return !o->extras || inside_all(o->extras->clips, o->extras->clip_count, p);
 }
 
 bool object_chord(const struct object *o, const ray *r, struct chord *chord)
@@ -259,13 +266,14 @@ void object_uv(const struct hit *hit, vec3 p, double uv[2])
 		return;
 	}
 	const vec3 local = o->place ? transform_point_back(o->place, p) : p;
-	if (!o->uv_place || !o->shape->absorb) {
+	const transform *uv_place = o->extras ? o->extras->uv_place : NULL;
+	if (!uv_place || !o->shape->absorb) {
 		o->shape->uv(o->self, hit, local, NULL, uv);
 	} else if (!o->place) {
-		o->shape->uv(o->self, hit, local, o->uv_place, uv);
+		o->shape->uv(o->self, hit, local, uv_place, uv);
 	} else {
 		const transform out_of_place = transform_invert(o->place);
-		const transform absorbed = transform_compose(o->uv_place, &out_of_place);
+		const transform absorbed = transform_compose(uv_place, &out_of_place);
 		o->shape->uv(o->self, hit, local, &absorbed, uv);
 	}
 }

@@ -40,28 +40,35 @@ enum ray_kind {
 	RAY_ALL = 31,
 };
 
-struct object {
-	const struct shape_class *shape;
-	const void *self;	/* the shape's own data, in its own space */
-	const transform *place; /* shape space to world; NULL: the same */
-	box bounds;		/* world, after clipping and bounding; may be unbounded */
+/* What few objects have. */
+struct object_extras {
 	const struct object *const *clips;     /* a hit counts only inside all of them */
 	const struct object *const *bounds_by; /* kept bounded_by objects */
 	uint32_t clip_count, bound_count;
-	uint32_t visible_to; /* enum ray_kind bits */
-	uint32_t rank;	     /* wins exact ties by the lower rank */
-	bool inverted;	     /* `inverse`: complement, normal negated */
+	const transform *uv_place; /* what a shape with uv coordinates has absorbed, or NULL */
+	const struct texture *interior_texture;
+	const struct light *const
+		*lights; /* of the light groups it is in; NULL-terminated, or NULL */
+};
+
+/* There may be millions: what is not needed by most stands in the extras. */
+struct object {
+	const struct shape_class *shape;
+	const void *self;		    /* the shape's own data, in its own space */
+	const transform *place;		    /* shape space to world; NULL: the same */
+	const struct object_extras *extras; /* NULL: none */
+	box bounds;	    /* world, after clipping and bounding; may be unbounded */
+	uint32_t rank;	    /* wins exact ties by the lower rank */
+	uint8_t visible_to; /* enum ray_kind bits */
+	bool inverted;	    /* `inverse`: complement, normal negated */
 	bool is_repeat; /* another object is the same to other rays: not counted twice around a point */
 	bool hollow, double_illuminate;
 	bool uv_mapping;
-	bool has_chord;		   /* object_chord may be asked; set with the bounds */
-	bool normal_stays;	   /* raw normal is not negated by `inverted` (quadric) */
-	const transform *uv_place; /* what a shape with uv coordinates has absorbed, or NULL */
-	const struct texture *texture, *interior_texture;
-	const struct interior *interior;
-	const struct light *const
-		*lights;    /* of the light groups it is in; NULL-terminated, or NULL */
+	bool has_chord;	    /* object_chord may be asked; set with the bounds */
+	bool normal_stays;  /* raw normal is not negated by `inverted` (quadric) */
 	bool global_lights; /* lit by the scene's lights */
+	const struct texture *texture;
+	const struct interior *interior;
 };
 
 /* One crossing of a ray with a surface. */

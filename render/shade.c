@@ -30,8 +30,9 @@ const struct texture *surface_open(
 		s->geometric = vec_negate(s->geometric);
 	s->current = s->geometric;
 
-	const struct texture *texture =
-		back && object->interior_texture ? object->interior_texture : object->texture;
+	const struct texture *texture = object->texture;
+	if (back && object->extras && object->extras->interior_texture)
+		texture = object->extras->interior_texture;
 	*evaluate_at = s->point;
 	if (texture->uses_uv) {
 		double uv[2];

@@ -7,6 +7,7 @@
 #include "render/lower/draft.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* What a child takes from its parents. */
 struct heritage {
@@ -113,7 +114,7 @@ static const struct interior *finish_interior(
 	}
 	i->data.hollow = hollow;
 	if (!i->finished)
-		i->finished = ARENA_NEW(l->arena, struct interior);
+		i->finished = arena_pack(l->arena, sizeof *i->finished);
 	*i->finished = i->data;
 	return i->finished;
 }
@@ -143,16 +144,24 @@ static const struct interior *interior_of(struct lowering *l, const struct draft
 	return finish_interior(l, *h->fallback, d->hollow, h->texture);
 }
 
-static uint32_t visibility(const struct heritage *h, bool opaque)
+static uint8_t visibility(const struct heritage *h, bool opaque)
 {
-	uint32_t kinds = RAY_CAMERA | RAY_SECONDARY | RAY_REFLECTED;
+	unsigned kinds = RAY_CAMERA | RAY_SECONDARY | RAY_REFLECTED;
 	if (h->no_image)
-		kinds &= ~(uint32_t)(RAY_CAMERA | RAY_SECONDARY);
+		kinds &= ~(unsigned)(RAY_CAMERA | RAY_SECONDARY);
 	if (h->no_reflection)
-		kinds &= ~(uint32_t)RAY_REFLECTED;
+		kinds &= ~(unsigned)RAY_REFLECTED;
 	if (!h->no_shadow)
 		kinds |= opaque ? RAY_SHADOW_OPAQUE : RAY_SHADOW_TINTED;
-	return kinds;
+	return (uint8_t)kinds;
+}
+
+/* The extras of an object, to be written. */
+static struct object_extras *extras_of(struct lowering *l, struct object *o)
+{
+	if (!o->extras)
+		o->extras = arena_pack(l->arena, sizeof *o->extras);
+	return (struct object_extras *)(uintptr_t)o->extras;
 }
 
 static const struct object *const *finish_cutters(
@@ -161,8 +170,17 @@ static const struct object *const *finish_cutters(
 static void finish_cutting(
 	struct lowering *l, const struct draft *d, const struct heritage *h, struct object *o)
 {
-	if (d->clips)
-		o->clips = finish_cutters(l, d->clips, h, &o->clip_count);
+	if (!d->clips)
+		return;
+	struct object_extras *e = extras_of(l, o);
+	e->clips = finish_cutters(l, d->clips, h, &e->clip_count);
+}
+
+static void finish_lights(struct lowering *l, const struct heritage *h, struct object *o)
+{
+	o->global_lights = h->global_lights;
+	if (h->lights)
+		extras_of(l, o)->lights = h->lights;
 }
 
 /* Everything about a leaf but its shape and place. */
@@ -172,33 +190,42 @@ static void finish_leaf(
 	o->texture = finish_looks(l, h->texture, h->uv_mapping);
 	if (!o->texture)
 		o->texture = default_texture(l, h->state);
-	o->interior_texture = finish_looks(l, h->interior_texture, h->uv_mapping);
+	const struct texture *inner = finish_looks(l, h->interior_texture, h->uv_mapping);
+	if (inner)
+		extras_of(l, o)->interior_texture = inner;
 	o->interior = interior_of(l, d, h, o->texture);
 	o->uv_mapping = h->uv_mapping;
 	o->hollow = d->hollow;
 	o->double_illuminate = d->double_illuminate;
 	o->inverted = d->inverted;
 	o->normal_stays = o->shape->keeps_normal_inverted;
-	o->lights = h->lights;
-	o->global_lights = h->global_lights;
-	o->visible_to = visibility(
-		h, o->texture->opaque && (!o->interior_texture || o->interior_texture->opaque));
+	finish_lights(l, h, o);
+	o->visible_to = visibility(h, o->texture->opaque && (!inner || inner->opaque));
 	finish_cutting(l, d, h, o);
 	object_set_bounds(o);
 }
 
+static const transform *place_copy(struct lowering *l, const transform *place)
+{
+	transform *copy = arena_pack(l->arena, sizeof *copy);
+	*copy = *place;
+	return copy;
+}
+
 static struct object *finish_shape(struct lowering *l, struct draft *d, const struct heritage *h)
 {
-	struct object *o = ARENA_NEW(l->arena, struct object);
+	struct object *o = arena_pack(l->arena, sizeof *o);
 	o->shape = d->shape;
 	const bool moved = d->is_placed && !transform_is_identity(&d->place);
 	/* uv coordinates of a sphere are those before its transformations */
 	if (moved && (h->uv_mapping || !d->shape->absorb || !d->shape->absorb(d->self, &d->place)))
-		o->place = arena_copy(l->arena, &d->place, sizeof d->place);
-	o->self = arena_copy(l->arena, d->self, d->shape->size);
+		o->place = place_copy(l, &d->place);
+	void *self = arena_pack(l->arena, d->shape->size);
+	memcpy(self, d->self, d->shape->size);
+	o->self = self;
 	finish_leaf(l, d, h, o);
 	if (moved && !o->place && d->shape->uv && l->has_uv_mapping)
-		o->uv_place = arena_copy(l->arena, &d->place, sizeof d->place);
+		extras_of(l, o)->uv_place = place_copy(l, &d->place);
 	return o;
 }
 
@@ -222,7 +249,7 @@ static void add_glyph(void *user, struct object *o)
 static struct object *wrap(struct lowering *l, enum csg_kind kind,
 	const struct object_list *children, size_t unseen, const struct heritage *h)
 {
-	struct object *o = ARENA_NEW(l->arena, struct object);
+	struct object *o = arena_pack(l->arena, sizeof *o);
 	struct csg *csg = ARENA_NEW(l->arena, struct csg);
 	csg->kind = kind;
 	csg->count = children->count - unseen;
@@ -240,8 +267,7 @@ static struct object *wrap(struct lowering *l, enum csg_kind kind,
 	own.no_shadow |= kind == CSG_UNION && !any_shadow;
 	o->shape = &shape_csg;
 	o->self = csg;
-	o->global_lights = h->global_lights;
-	o->lights = h->lights;
+	finish_lights(l, h, o);
 	o->visible_to = visibility(&own, opaque);
 	return o;
 }
@@ -285,7 +311,8 @@ static box hull_of(const struct object_list *list)
 /* Whether a convex bound holds the whole box: then it can be dropped. */
 static bool holds_box(const struct object *bound, box b)
 {
-	if (box_is_unbounded(b) || !bound->shape->is_convex || bound->clip_count || bound->inverted)
+	if (box_is_unbounded(b) || !bound->shape->is_convex || bound->inverted ||
+		(bound->extras && bound->extras->clip_count))
 		return false;
 	for (int corner = 0; corner < 8; corner++) {
 		const vec3 p = vec(corner & 1 ? b.hi.x : b.lo.x, corner & 2 ? b.hi.y : b.lo.y,
@@ -313,6 +340,16 @@ static void finish_bounds(struct lowering *l, struct draft *d, const struct heri
 		*bounds = made;
 		*count = all;
 	}
+}
+
+static void keep_bounds(
+	struct lowering *l, struct object *o, const struct object *const *bounds, uint32_t count)
+{
+	if (!count)
+		return;
+	struct object_extras *e = extras_of(l, o);
+	e->bounds_by = bounds;
+	e->bound_count = count;
 }
 
 static void intersect_bounds(struct object *o, const struct object *const *bounds, uint32_t count)
@@ -401,8 +438,7 @@ static void collect_union(
 	} else if (members.count) {
 		struct object *o = wrap(l, CSG_UNION, &members, unseen, h);
 		finish_cutting(l, d, h, o);
-		o->bounds_by = bounds;
-		o->bound_count = bound_count;
+		keep_bounds(l, o, bounds, bound_count);
 		object_set_bounds(o);
 		intersect_bounds(o, bounds, bound_count);
 		list_add(out, o);
@@ -426,8 +462,11 @@ static void collect_compound(
 		finish_cutting(l, d, h, o);
 		object_set_bounds(o);
 		struct object_list self = { &o, 1, 1 };
-		finish_bounds(l, d, h, &self, &o->bounds_by, &o->bound_count);
-		intersect_bounds(o, o->bounds_by, o->bound_count);
+		const struct object *const *bounds;
+		uint32_t bound_count;
+		finish_bounds(l, d, h, &self, &bounds, &bound_count);
+		keep_bounds(l, o, bounds, bound_count);
+		intersect_bounds(o, bounds, bound_count);
 		list_add(out, o);
 	}
 	free(members.items);
@@ -534,7 +573,7 @@ static void emit(struct lowering *l, struct draft *d, const struct heritage *h, 
 	collect(l, d, h, &list);
 	for (size_t i = 0; i < list.count; i++) {
 		struct object *o = list.items[i];
-		o->visible_to &= kinds;
+		o->visible_to &= (uint8_t)kinds;
 		o->is_repeat = h->is_repeat;
 		if (o->visible_to || kinds == RAY_ALL)
 			scene_add_object(l->scene, o);

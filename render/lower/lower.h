@@ -22,6 +22,8 @@ struct lower_options {
 	const struct parse_options *files; /* for fonts and images */
 };
 
+enum { FINISHES_KEPT = 8 };
+
 struct lowering {
 	struct scene *scene;
 	struct arena *arena; /* the scene's: what the scene is made of */
@@ -46,7 +48,8 @@ struct lowering {
 	const struct texture *default_texture; /* finished, for objects without one */
 	const struct defaults *default_of;     /* the #default it was made of */
 	struct interior *plain_interior[2];    /* of opaque objects: solid, hollow */
-	const struct finish *last_finish;      /* built */
+	const struct finish *finishes[FINISHES_KEPT]; /* the latest ones built */
+	unsigned finish_next;
 	const struct shape_class *shapes[KEYWORD_COUNT]; /* found already */
 };
 

@@ -242,9 +242,16 @@ const struct finish_state *finish_read(
 	return s;
 }
 
+/* Most textures have one of a few finishes. */
 const struct finish *finish_build(struct lowering *l, const struct finish_state *s)
 {
-	if (!l->last_finish || memcmp(l->last_finish, &s->finish, sizeof s->finish) != 0)
-		l->last_finish = arena_copy(l->arena, &s->finish, sizeof s->finish);
-	return l->last_finish;
+	for (unsigned i = 0; i < FINISHES_KEPT; i++) {
+		const struct finish *known = l->finishes[i];
+		if (known && memcmp(known, &s->finish, sizeof s->finish) == 0)
+			return known;
+	}
+	struct finish *finish = arena_pack(l->arena, sizeof *finish);
+	memcpy(finish, &s->finish, sizeof *finish);
+	l->finishes[l->finish_next++ % FINISHES_KEPT] = finish;
+	return finish;
 }

@@ -194,7 +194,7 @@ static bool lets_light_through(colour c)
 
 static const struct pigment *plain_pigment(struct lowering *l, colour c)
 {
-	struct pigment *p = ARENA_NEW(l->arena, struct pigment);
+	struct pigment *p = arena_pack(l->arena, sizeof *p);
 	*p = (struct pigment){ .is_plain = true, .is_opaque = !lets_light_through(c), .colour = c };
 	return p;
 }

@@ -289,7 +289,7 @@ static void set_outline(struct setting *s, double dx, double dy, double overhang
 	g->thickness = s->thickness;
 	g->overhang = overhang;
 	glyph_finish(g);
-	struct object *o = ARENA_NEW(l->arena, struct object);
+	struct object *o = arena_pack(l->arena, sizeof *o);
 	o->shape = &shape_glyph;
 	o->self = g;
 	o->place = s->place;

@@ -321,7 +321,7 @@ const struct texture_spec *texture_read(
 
 static void build_layers(struct lowering *l, const struct texture_spec *spec, struct texture *out)
 {
-	struct layer *layers = ARENA_ARRAY(l->arena, spec->count, struct layer);
+	struct layer *layers = arena_pack(l->arena, spec->count * sizeof *layers);
 	for (size_t i = 0; i < spec->count; i++) {
 		const struct layer_state *from = &spec->layers[spec->count - 1 - i];
 		if (from->finish->subsurface)
@@ -339,7 +339,7 @@ const struct texture *texture_build(struct lowering *l, const struct texture_spe
 	struct texture_spec *owned = (struct texture_spec *)(uintptr_t)spec;
 	if (spec->built[uv])
 		return spec->built[uv];
-	struct texture *texture = ARENA_NEW(l->arena, struct texture);
+	struct texture *texture = arena_pack(l->arena, sizeof *texture);
 	texture->uses_uv = uv;
 	if (spec->patterned)
 		patterned_build(l, spec->patterned, texture);

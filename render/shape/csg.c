@@ -82,7 +82,7 @@ struct passage {
 static inline bool has_chord(const struct csg *csg, size_t child)
 {
 	const struct object *o = csg->children[child];
-	return o->has_chord && o->bound_count == 0 && child < CHORDS_MAX;
+	return o->has_chord && !(o->extras && o->extras->bound_count) && child < CHORDS_MAX;
 }
 
 static inline double slack(double t)

@@ -320,6 +320,15 @@ static struct object *combine(
 	return o;
 }
 
+static const struct object_extras *clipped_by(
+	struct arena *arena, const struct object *const *clips, uint32_t count)
+{
+	struct object_extras *extras = ARENA_NEW(arena, struct object_extras);
+	extras->clips = clips;
+	extras->clip_count = count;
+	return extras;
+}
+
 /* (sphere and not cylinder) merged with (box and torus), the box clipped by a plane. */
 static struct object *nested(struct arena *arena)
 {
@@ -327,8 +336,7 @@ static struct object *nested(struct arena *arena)
 	struct object *block = make(arena, &samples[1]), *torus = make(arena, &samples[6]);
 	cylinder->inverted = true;
 	const struct object *clip = make(arena, &samples[9]);
-	block->clips = arena_copy(arena, &clip, sizeof clip);
-	block->clip_count = 1;
+	block->extras = clipped_by(arena, arena_copy(arena, &clip, sizeof clip), 1);
 	object_set_bounds(block);
 	struct object *left =
 		combine(arena, CSG_INTERSECTION, (struct object *[]){ sphere, cylinder }, 2);
@@ -388,8 +396,7 @@ static void clips_cut(void **unused)
 	struct arena *arena = arena_create(0);
 	struct object *o = make(arena, &samples[0]);
 	const struct object *clips[2] = { make(arena, &samples[9]), make(arena, &samples[1]) };
-	o->clips = clips;
-	o->clip_count = 2;
+	o->extras = clipped_by(arena, clips, 2);
 	object_set_bounds(o);
 	for (int i = 0; i < 5000; i++) {
 		const ray r = random_ray(&state, 3);
@@ -566,8 +573,8 @@ static void unbounded_children_bound_compounds(void **unused)
 			children[count++] = make_plane(arena, vec_add(along, tilt), 1);
 			children[count++] = make_plane(arena, vec_sub(tilt, along), 1);
 			struct object clipped = *children[0];
-			clipped.clips = (const struct object *const *)(children + 1);
-			clipped.clip_count = 2;
+			clipped.extras =
+				clipped_by(arena, (const struct object *const *)(children + 1), 2);
 			object_set_bounds(&clipped);
 			assert_false(box_is_unbounded(clipped.bounds));
 		} else {
