@@ -59,6 +59,7 @@ static bool find_unlinked_part(struct parser *p, span opened)
 	struct expand *x = p->expand;
 	for (;;) {
 		struct frame *f = top_frame(x);
+		complete_text(x);
 		if (find_loose_part(f))
 			return true;
 		f->position = f->end;

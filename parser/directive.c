@@ -129,7 +129,7 @@ bool directive_run(struct parser *p)
 {
 	struct expand *x = p->expand;
 	const struct frame *f = &x->frames[x->frame_count - 1];
-	/* The lexer's array of directives is complete and does not move any more. */
+	/* Those that read statements, which may end a piece, do not need d any more. */
 	const struct raw_token *raw = &f->tokens[f->position];
 	const struct directive *d = &f->source->directives[raw->payload];
 	if (x->gate == &x->scene_gate && !x->gate->depth)

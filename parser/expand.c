@@ -76,6 +76,38 @@ static bool leave_frame(struct parser *p)
 	return true;
 }
 
+/* -- Pieces ------------------------------------------------------------------------------- */
+
+/* The tokens of a source may have moved. */
+static void follow_tokens(struct expand *x, const struct source *s)
+{
+	for (unsigned i = 0; i < x->frame_count; i++)
+		if (x->frames[i].source == s)
+			x->frames[i].tokens = s->tokens;
+}
+
+bool next_piece(struct expand *x)
+{
+	struct frame *f = top_frame(x);
+	if (f->is_macro || !source_continue(f->source, true, false))
+		return false;
+	follow_tokens(x, f->source);
+	f->position = f->source->piece;
+	f->end = f->source->count;
+	if (x->statement.frames == x->frame_count)
+		x->statement.position = f->position;
+	return true;
+}
+
+void complete_text(struct expand *x)
+{
+	struct frame *f = top_frame(x);
+	if (f->is_macro || !source_continue(f->source, false, true))
+		return;
+	follow_tokens(x, f->source);
+	f->end = f->source->count;
+}
+
 /* -- Raw tokens --------------------------------------------------------------------------- */
 
 /* Of the word that begins here; 0: none does. */
@@ -139,8 +171,9 @@ static span end_span(const struct frame *f)
 span raw_span(struct parser *p)
 {
 	const struct frame *f = top_frame(p->expand);
-	return f->position == f->end ? end_span(f)
-				     : raw_span_of(p->expand, f, f->tokens[f->position]);
+	return f->position == f->end && !next_piece(p->expand)
+		       ? end_span(f)
+		       : raw_span_of(p->expand, f, f->tokens[f->position]);
 }
 
 span raw_span_at(struct parser *p, const struct raw_token *raw)
@@ -164,7 +197,7 @@ const struct raw_token *raw_peek_at_end(struct parser *p)
 	if (p->failed)
 		return NULL;
 	struct frame *f = top_frame(x);
-	while (f->position == f->end) {
+	while (f->position == f->end && !next_piece(x)) {
 		if (!f->is_macro || !leave_frame(p))
 			return NULL;
 		f = top_frame(x);
@@ -464,7 +497,7 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 {
 	struct expand *x = p->expand;
 	struct frame *f = top_frame(x);
-	if (f->position == f->end)
+	if (f->position == f->end && !next_piece(x))
 		return at_end(p, where);
 	const struct raw_token raw = f->tokens[f->position];
 	if (raw.kind == RAW_DIRECTIVE) {

@@ -151,6 +151,10 @@ static inline bool has_read_ahead(const struct expand *x)
 /* Runs the directives and macro calls before the next token, as fetching it would; false if there are
  * none. */
 bool expand_settle(struct parser *);
+/* Goes on to the next piece of the text at the end of the present one; false at the end of the text. */
+bool next_piece(struct expand *);
+/* Lexes the present text to its end, for who has to look further than what is read next. */
+void complete_text(struct expand *);
 /* The next raw token as it stands, behind the ends of macros; NULL at the end of a file. */
 const struct raw_token *raw_peek_at_end(struct parser *);
 static inline const struct raw_token *raw_peek(struct parser *p)

@@ -38,7 +38,7 @@ static bool report_missing(struct parser *p, const char *name, span where)
 static struct source *find_source(struct expand *x, const char *path)
 {
 	for (struct source *s = x->sources; s && !x->has_written; s = s->previous)
-		if (!s->has_mark && !strcmp(s->name, path))
+		if (!s->has_mark && !s->is_piecewise && !strcmp(s->name, path))
 			return s;
 	return NULL;
 }

@@ -154,6 +154,7 @@ bool expand_recover(struct parser *p)
 		is_in_loop(x) || p->error_count == MOST_ERRORS || ++x->recoveries > MOST_RECOVERIES)
 		return false;
 	struct frame *f = leave_inner_texts(p, start.frames);
+	complete_text(x);
 	struct walk w = { .frame = f, .at = start.position };
 	const uint32_t reached = f->position;
 	const bool by_macro = start.began_in > start.frames; /* it ends with the macro */

@@ -11,6 +11,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+enum { PIECE = 1 << 15 }; /* tokens: they fit into a cache */
+
 /* Literals of up to 15 digits and small exponents are exact with one division or product of
  * doubles; strtod does the rest. */
 double number_at(const char *text, size_t *length)
@@ -153,11 +155,12 @@ static void close_block(struct source *s, struct open_block block, uint32_t end)
 	}
 }
 
-void source_link(struct source *s)
+/* Links the parts of all blocks among the directives from `first` on. */
+static void link_blocks(struct source *s, uint32_t first)
 {
 	struct open_block *open = NULL;
 	uint32_t count = 0, room = 0;
-	for (uint32_t i = 0; i < s->directive_count; i++) {
+	for (uint32_t i = first; i < s->directive_count; i++) {
 		struct directive *d = &s->directives[i];
 		if (directive_opens(d->keyword)) {
 			if (count == room) {
@@ -173,6 +176,39 @@ void source_link(struct source *s)
 		}
 	}
 	free(open);
+}
+
+static bool has_macro(const struct source *s, uint32_t first)
+{
+	for (uint32_t i = first; i < s->directive_count; i++)
+		if (s->directives[i].keyword == K_MACRO)
+			return true;
+	return false;
+}
+
+bool source_continue(struct source *s, bool forget, bool all)
+{
+	if (!s->rest)
+		return false;
+	if (forget && !has_macro(s, s->piece_directive)) {
+		/* but the last one: it may have been read only to see what it is */
+		s->tokens[s->piece] = s->tokens[s->count - 1];
+		s->count = s->piece + 1;
+		s->number_count = s->piece_number;
+	}
+	if (forget) {
+		s->piece = s->count;
+		s->piece_number = s->number_count;
+		s->piece_directive = s->directive_count;
+	}
+	const uint32_t first = s->directive_count;
+	const uint32_t least = all || s->count > NO_TOKEN - PIECE ? NO_TOKEN : s->count + PIECE;
+	if (!lex_source(s->rest, least)) {
+		lex_end(s->rest);
+		s->rest = NULL;
+	}
+	link_blocks(s, first);
+	return true;
 }
 
 static struct source *begin(struct arena *arena, const char *name, size_t size)
@@ -207,7 +243,11 @@ static void complete(struct source *s, struct arena *arena, struct diag *diag, s
 		s->bytes[i] = ' ';
 	}
 	reserve(s);
-	lex_source(s, names, arena);
+	s->rest = lex_begin(s, names, arena);
+	source_continue(s, false, !main_file);
+	s->is_piecewise = s->rest != NULL;
+	if (s->is_piecewise)
+		return;
 	s->tokens = memory_grow(s->tokens, s->count, sizeof *s->tokens);
 	s->numbers = memory_grow(s->numbers, s->number_count, sizeof *s->numbers);
 }
@@ -274,6 +314,9 @@ struct source *source_read(struct arena *arena, struct diag *diag, struct names 
 
 void source_finish(struct source *s)
 {
+	if (s->rest)
+		lex_end(s->rest);
+	s->rest = NULL;
 	free(s->tokens);
 	free(s->numbers);
 	free(s->directives);

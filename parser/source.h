@@ -4,6 +4,11 @@
  * 8 bytes per token; what loops and macros do later is to replay these tokens.
  * The parts of a block (#if … #else … #end) are linked while lexing, so that
  * skipping text is one jump.
+ *
+ * A large scene is lexed in pieces, each when the one before has been read: it ends
+ * behind a closing brace between two statements, outside of any block. The next piece
+ * takes the room of the tokens that nobody will read again, which are all but those
+ * of pieces with macros.
  */
 #ifndef LAMBERT_PARSER_SOURCE_H
 #define LAMBERT_PARSER_SOURCE_H
@@ -56,6 +61,10 @@ struct source {
 	uint32_t number_count, number_room;
 	struct directive *directives;
 	uint32_t directive_count, directive_room;
+	struct lexing *rest; /* more of the text is to be lexed; or NULL */
+	bool is_piecewise;   /* the text was not lexed all at once */
+	/* where the present piece begins */
+	uint32_t piece, piece_number, piece_directive;
 	const char *error; /* of the last token if that is RAW_ERROR */
 	uint32_t error_offset, error_length;
 	const char *error_note; /* a second place: where the string began …; NULL: none */
@@ -64,12 +73,16 @@ struct source {
 };
 
 /* Makes a source of a text: copies, registers and lexes it. `main_file`: a byte-order mark is
- * dropped. Owned by the arena but for the token arrays: source_finish. */
+ * dropped, and what is lexed may be the first piece only. Owned by the arena but for the token arrays: source_finish. */
 struct source *source_create(struct arena *, struct diag *, struct names *, const char *name,
 	const char *text, size_t size, bool main_file);
 /* The same with the bytes of a file; NULL with errno set if it cannot be read. */
 struct source *source_read(
 	struct arena *, struct diag *, struct names *, const char *path, bool main_file);
+/* Lexes the next piece, or all that is left, if there is more. The tokens may move. `forget`: those of
+ * the present piece are not needed any more, and the next one, from s->piece on, may take their place;
+ * else what is new stands behind them. */
+bool source_continue(struct source *, bool forget, bool all);
 /* Frees the tokens of the source (the text stays for messages). */
 void source_finish(struct source *);
 
@@ -78,8 +91,12 @@ double number_at(const char *text, size_t *length);
 
 /* -- between the lexer and source.c -- */
 
-/* Fills in the tokens (lexer.l). */
-void lex_source(struct source *, struct names *, struct arena *);
+/* lexer.l: begins to read the text. */
+struct lexing *lex_begin(struct source *, struct names *, struct arena *);
+/* Fills in tokens: up to a place where a piece may end behind the token `least`, true if there is
+ * more to come. */
+bool lex_source(struct lexing *, uint32_t least);
+void lex_end(struct lexing *);
 void source_grow(struct source *);
 static inline void source_push(struct source *s, unsigned kind, uint32_t offset, uint32_t payload)
 {
@@ -90,8 +107,6 @@ static inline void source_push(struct source *s, unsigned kind, uint32_t offset,
 }
 void source_push_number(struct source *, uint32_t offset, double value);
 void source_push_directive(struct source *, enum keyword, uint32_t offset, uint32_t length);
-/* Links the parts of all blocks, once the text is lexed. */
-void source_link(struct source *);
 /* Whether a word after # is a directive. */
 bool is_directive(enum keyword);
 /* Whether a directive begins a block; is a further part of one, #end included. */
