@@ -23,6 +23,10 @@
 void *looks_find(struct lowering *, const void *key);
 void looks_remember(struct lowering *, const void *key, void *state);
 
+/* What a pigment, normal or patterned texture is made of.
+ * REFUSED: reported as not supported; what follows in the block is not looked at. */
+enum look_form { FORM_NONE, FORM_PLAIN, FORM_PATTERN, FORM_AVERAGE, FORM_UV, FORM_REFUSED };
+
 /* ---- patterns: lower_pattern.c, lower_warp.c ---- */
 
 /* Transformations and warps of an item, newest first; neighbouring transformations are merged. */
@@ -44,10 +48,10 @@ struct pattern_state {
 };
 
 extern const struct pattern_state pattern_state_fresh;
-/* Names the pattern: `item` is its node. False: that word is no pattern, or one that is refused. */
-bool pattern_state_name(struct lowering *, struct pattern_state *, const struct node *item);
-/* Applies a modifier that all items share; false: not such a word. */
-bool pattern_state_modify(struct lowering *, struct pattern_state *, const struct node *item);
+/* An item that is no word of its block's own: a modifier that all share, or what names the pattern;
+ * then true. */
+bool pattern_state_item(struct lowering *, struct pattern_state *, const struct node *item,
+	const char *block, enum look_form *form);
 void pattern_state_move(struct lowering *, struct pattern_state *, const transform *);
 const struct warp_step *lower_warp(
 	struct lowering *, const struct node *, const struct warp_step *before);
@@ -83,11 +87,8 @@ const struct node *map_node(const struct node *);
 
 /* ---- pigments: lower_pigment.c ---- */
 
-/* REFUSED: reported as not supported; what follows in the block is not looked at. */
-enum pigment_form { FORM_NONE, FORM_PLAIN, FORM_PATTERN, FORM_AVERAGE, FORM_UV, FORM_REFUSED };
-
 struct pigment_state {
-	enum pigment_form form;
+	enum look_form form;
 	colour colour;
 	colour quick;
 	bool has_quick;
@@ -112,7 +113,7 @@ const struct pigment *pigment_build(struct lowering *, const struct pigment_stat
 /* ---- normals: lower_normal.c ---- */
 
 struct normal_state {
-	enum pigment_form form;
+	enum look_form form;
 	struct pattern_state pattern;
 	float amount, accuracy;
 	bool keeps_length;
@@ -157,7 +158,7 @@ struct layer_state {
 
 /* A texture with a pattern of its own. */
 struct patterned_state {
-	enum pigment_form form; /* pattern, average or uv */
+	enum look_form form; /* pattern, average or uv */
 	bool keeps_length;
 	struct pattern_state pattern;
 	const struct map_state *map; /* texture specs */

@@ -591,14 +591,12 @@ static bool compile_body(struct lowering *l, const struct function *f, struct pr
 static const struct pattern *pattern_of(struct lowering *l, const struct node *block)
 {
 	struct pattern_state s = pattern_state_fresh;
+	enum look_form form = FORM_PATTERN;
 	for (const struct node *item = block->children; item; item = item->next) {
-		if (!pattern_state_modify(l, &s, item) && !pattern_state_name(l, &s, item))
-			lower_unsupported(l, item, keyword_name(item->keyword));
+		pattern_state_item(l, &s, item, "pattern", &form);
 	}
-	if (!s.class) {
-		diag_error(l->diag, block->span, "function needs a pattern between these braces");
+	if (!s.class || form == FORM_REFUSED)
 		return NULL;
-	}
 	struct pattern *pattern = ARENA_NEW(l->arena, struct pattern);
 	pattern_build(l, &s, pattern);
 	return pattern;

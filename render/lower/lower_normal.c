@@ -103,21 +103,12 @@ static void read_item(struct lowering *l, struct normal_state *s, const struct n
 		s->keeps_length = true;
 		return;
 	case K_BUMP_MAP:
-	case K_IMAGE_PATTERN:
-	case K_DENSITY_FILE:
-	case K_TILING:
-	case K_PAVEMENT:
 		lower_unsupported(l, item, keyword_name(item->keyword));
 		s->form = FORM_REFUSED;
 		return;
 	default:
-		if (pattern_state_modify(l, &s->pattern, item))
-			return;
-		if (pattern_state_name(l, &s->pattern, item))
+		if (pattern_state_item(l, &s->pattern, item, "normal", &s->form))
 			name_pattern(l, s, item);
-		else
-			diag_error(l->diag, item->word, "unexpected %s in normal",
-				keyword_name(item->keyword));
 	}
 }
 

@@ -220,7 +220,7 @@ static void name_function(struct lowering *l, struct pattern_state *s, const str
 
 /* ---- naming ---- */
 
-bool pattern_state_name(struct lowering *l, struct pattern_state *s, const struct node *item)
+static bool name_pattern(struct lowering *l, struct pattern_state *s, const struct node *item)
 {
 	const struct pattern_class *class = pattern_find(keyword_name(item->keyword));
 	if (!class)
@@ -308,7 +308,7 @@ static bool set_wave(struct lowering *l, struct pattern_state *s, const struct n
 	}
 }
 
-bool pattern_state_modify(struct lowering *l, struct pattern_state *s, const struct node *item)
+static bool modify(struct lowering *l, struct pattern_state *s, const struct node *item)
 {
 	if (node_is_transform(item)) {
 		const transform t = lower_transform(l, item);
@@ -349,6 +349,28 @@ bool pattern_state_modify(struct lowering *l, struct pattern_state *s, const str
 			return true;
 		return s->class && is_fractal(s->class) && modify_fractal(l, s, item);
 	}
+}
+
+bool pattern_state_item(struct lowering *l, struct pattern_state *s, const struct node *item,
+	const char *block, enum look_form *form)
+{
+	switch (item->keyword) {
+	case K_IMAGE_PATTERN:
+	case K_DENSITY_FILE:
+	case K_TILING:
+	case K_PAVEMENT:
+		lower_unsupported(l, item, keyword_name(item->keyword));
+		*form = FORM_REFUSED;
+		return false;
+	default:
+		break;
+	}
+	if (modify(l, s, item))
+		return false;
+	if (name_pattern(l, s, item))
+		return true;
+	diag_error(l->diag, item->word, "unexpected %s in %s", keyword_name(item->keyword), block);
+	return false;
 }
 
 /* ---- building ---- */

@@ -50,21 +50,9 @@ static void read_item(struct lowering *l, struct patterned_state *s, const struc
 	case K_NO_BUMP_SCALE:
 		s->keeps_length = true;
 		return;
-	case K_IMAGE_PATTERN:
-	case K_DENSITY_FILE:
-	case K_TILING:
-	case K_PAVEMENT:
-		lower_unsupported(l, item, keyword_name(item->keyword));
-		s->form = FORM_REFUSED;
-		return;
 	default:
-		if (pattern_state_modify(l, &s->pattern, item))
-			return;
-		if (pattern_state_name(l, &s->pattern, item))
+		if (pattern_state_item(l, &s->pattern, item, "texture", &s->form))
 			name_pattern(l, s, item);
-		else
-			diag_error(l->diag, item->word, "unexpected %s in texture",
-				keyword_name(item->keyword));
 	}
 }
 

@@ -103,21 +103,12 @@ static void read_item(struct lowering *l, struct pigment_state *s, const struct 
 		s->has_quick = true;
 		return;
 	case K_IMAGE_MAP:
-	case K_IMAGE_PATTERN:
-	case K_DENSITY_FILE:
-	case K_TILING:
-	case K_PAVEMENT:
 		lower_unsupported(l, item, keyword_name(item->keyword));
 		s->form = FORM_REFUSED;
 		return;
 	default:
-		if (pattern_state_modify(l, &s->pattern, item))
-			return;
-		if (pattern_state_name(l, &s->pattern, item))
+		if (pattern_state_item(l, &s->pattern, item, "pigment", &s->form))
 			name_pattern(l, s, item);
-		else
-			diag_error(l->diag, item->word, "unexpected %s in pigment",
-				keyword_name(item->keyword));
 	}
 }
 

@@ -57,7 +57,7 @@ static bool spec_notices_place(const struct texture_spec *spec)
 	if (spec->patterned)
 		return spec->patterned->form != FORM_UV;
 	for (size_t i = 0; i < spec->count; i++) {
-		const enum pigment_form form = spec->layers[i].pigment->form;
+		const enum look_form form = spec->layers[i].pigment->form;
 		if (form == FORM_PATTERN || form == FORM_AVERAGE || spec->layers[i].normal)
 			return true;
 	}
