@@ -352,6 +352,12 @@ struct number builtin_trace(struct parser *p, struct reference object, struct nu
 	bool found = false;
 	number_to_vector(p, origin, 3, where, from);
 	number_to_vector(p, direction, 3, where, to);
+	const struct value *before = normal_symbol ? symbol_value(normal_symbol) : NULL;
+	if (before && before->kind == VALUE_NUMBER && before->number.terms != 3)
+		parser_error(p, where,
+			"trace puts the normal into a vector of 3 components, '%s' "
+			"has %d",
+			normal_symbol->text, before->number.terms);
 	if (!hooks->trace ||
 		!hooks->trace(hooks->user, object.node, from, to, point, normal, &found))
 		report_unanswered(p, where, "trace() of this object");
