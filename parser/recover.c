@@ -93,7 +93,15 @@ static bool step(struct walk *w)
 	return true;
 }
 
-/* Whether a statement can begin here. A texture may be one more layer of a declared one. */
+/* Whether a token may be the first of a statement. A texture may be one more layer of a declared
+ * one. */
+static bool may_begin(struct raw_token raw)
+{
+	return raw.kind == RAW_NAME ||
+	       (raw.kind == RAW_KEYWORD && raw.payload != (uint32_t)K_TEXTURE);
+}
+
+/* Whether a statement can begin here. */
 static bool at_statement(const struct walk *w)
 {
 	if (w->braces || w->blocks)
@@ -104,8 +112,7 @@ static bool at_statement(const struct walk *w)
 	const unsigned last = w->at ? w->frame->tokens[w->at - 1].kind : ';';
 	if (next.kind == RAW_DIRECTIVE)
 		return true;
-	return (last == '}' || last == ';') && next.kind != ';' &&
-	       (next.kind != RAW_KEYWORD || next.payload != (uint32_t)K_TEXTURE);
+	return (last == '}' || last == ';') && may_begin(next);
 }
 
 /* -- Going on ----------------------------------------------------------------------------- */

@@ -46,7 +46,7 @@ static const char *entry_in_other_case(struct arena *arena, const char *folder, 
 static const char *path_in_other_case(struct arena *arena, const char *folder, const char *name)
 {
 	const char *path = folder;
-	while (*name == '/' && *name)
+	while (*name == '/')
 		path = "/", name++;
 	while (*name) {
 		const size_t length = strcspn(name, "/");

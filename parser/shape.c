@@ -6,6 +6,7 @@
  */
 #include "parser/build.h"
 
+#include <math.h>
 #include <string.h>
 
 /* One line each: the letters of node_fit for the leading arguments, then what the rest is. */
@@ -82,13 +83,13 @@ static void gather(struct parser *p, const struct shape_form *form, size_t start
 	struct grammar *g = p->grammar;
 	const size_t per = form->tail == 4 ? 2 : 1;
 	const size_t found = (g->arg_count - start) / per;
-	size_t wanted = form->fixed;
-	if (!wanted) {
-		const double said = g->args[start - 1].number.v[0];
-		wanted = said >= 1 && said < 1e9 ? (size_t)said : 0;
-	}
-	if (found != wanted || (g->arg_count - start) % per) {
-		parser_error(p, word, "%s needs %zu points, found %zu", keyword_name(form->keyword),
+	const double wanted =
+		form->fixed ? (double)form->fixed : floor(g->args[start - 1].number.v[0]);
+	if (!(wanted >= 1))
+		parser_error(p, g->args[start - 1].span, "%s needs 1 point or more, not %g",
+			keyword_name(form->keyword), wanted);
+	if ((double)found != wanted || (g->arg_count - start) % per) {
+		parser_error(p, word, "%s needs %g points, found %zu", keyword_name(form->keyword),
 			wanted, found);
 		g->arg_count = start;
 		return;

@@ -106,7 +106,9 @@ static void report_name(
 	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
 {
 	const struct queued *t = run->last;
-	const bool in_block = open && open->token == '{' && wanted_token(w, '}') &&
+	const bool behind_item =
+		wanted_token(w, '}') || (ends_operand(run->token_before) && !wanted_token(w, '>'));
+	const bool in_block = open && open->token == '{' && behind_item &&
 			      !names_nearest(&p->expand->names, t->value.name, name_fits, w);
 	if (run->token_before == '.')
 		parser_error(p, t->where,
@@ -211,6 +213,17 @@ static bool report_kind(
 	return true;
 }
 
+/* A list that must be long, but is so short that it was read as a vector. */
+static bool report_short_list(
+	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
+{
+	const struct queued *t = run->last;
+	if (t->token != '<' || !wanted_token(w, '<') || !open || open->keyword == K_NONE)
+		return false;
+	parser_error(p, t->where, "%s needs a longer list of numbers", keyword_name(open->keyword));
+	return true;
+}
+
 /* What only ordinary expressions have, in the body of a function. */
 static bool report_in_function(struct parser *p, const struct run *run, const struct wanted *w)
 {
@@ -259,11 +272,23 @@ static void hint(struct parser *p, const struct run *run, const struct queued *t
 
 /* -- The report --------------------------------------------------------------------------- */
 
+/* Shows the block that the token stands in, which may lack its brace, unless one sees it anyway. */
+static void note_block(struct parser *p, const struct opening *open, span where)
+{
+	if (open && open->token == '{' && open->keyword != K_NONE &&
+		diag_place(p->diag, open->word).line != diag_place(p->diag, where).line)
+		diag_note(p->diag, open->word, "%s is opened here", keyword_name(open->keyword));
+}
+
 static void report_unexpected(
 	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
 {
 	const struct queued *t = run->last;
-	const char *expected = w->list, *found = found_words(p, run, t), *in = "";
+	const char *expected = w->list, *in = "";
+	const char *found = t->token == 0 ? "end of the text" : found_words(p, run, t);
+	const bool in_vector = wanted_token(w, '>') && !wanted_token(w, T_GE);
+	if (in_vector)
+		expected = "a number or '>'";
 	if (!expected && !run->token_before)
 		expected = start_words(run->start_token);
 	if (!expected && wanted_token(w, T_STRING) && !wanted_token(w, T_NUMBER))
@@ -278,6 +303,8 @@ static void report_unexpected(
 		parser_error(p, t->where, "unexpected %s%s", found, in);
 	if (open && is_closing(t->token) && closing(open->token)[0] != t->token)
 		diag_note(p->diag, open->where, "the %c is still open", open->token);
+	else if (t->value.keyword != K_NONE && !in_vector)
+		note_block(p, open, t->where);
 	hint(p, run, t);
 }
 
@@ -293,7 +320,8 @@ void syntax_error(struct parser *p, struct run *run, const struct wanted *w)
 		report_name(p, run, open, w);
 	else if (t->token == 0 && open)
 		report_open(p, open, t->where);
-	else if (!report_in_function(p, run, w) && !report_kind(p, run, open, w))
+	else if (!report_in_function(p, run, w) && !report_kind(p, run, open, w) &&
+		 !report_short_list(p, run, open, w))
 		report_unexpected(p, run, open, w);
 }
 
@@ -301,6 +329,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 void grammar_error(const span *where, struct parser *p, struct run *run, const char *message)
 {
 	(void)run;
-	if (!p->failed) /* "memory exhausted": nesting too deep */
-		parser_error(p, *where, "too deeply nested here (%s)", message);
+	(void)message; /* "memory exhausted", always: of the grammar's stack */
+	if (!p->failed)
+		parser_error(p, *where, "too deeply nested");
 }

@@ -1,0 +1,3 @@
+// The text ends where a value must stand.
+#version 3.7;
+#declare A =
