@@ -16,7 +16,8 @@
 enum { BVH_WIDTH = 8 };
 
 /* Child bounds in lanes, rounded outwards: low x, y, z, then high x, y, z. Lanes without a child
- * hold an empty box that no ray meets. */
+ * hold an empty box and a leaf that stands elsewhere, too: only a ray from beyond the reach of single
+ * precision, which meets all boxes, comes there. */
 struct bvh_node {
 	_Alignas(64) float bound[6][BVH_WIDTH];
 	uint32_t child[BVH_WIDTH];

@@ -55,6 +55,7 @@ struct builder {
 	size_t job_count, job_room;
 	struct bvh bvh;
 	size_t slot_room;
+	uint32_t latest_leaf; /* as a child */
 };
 
 struct job {
@@ -398,13 +399,13 @@ static uint32_t emit_leaf(struct builder *b, const struct binary *n)
 	const size_t end = b->bvh.slot_count;
 	if (!n->groups) {
 		*add_slots(b, end, 1) = b->items[n->first].index;
-		return BVH_LEAF | (uint32_t)end;
+		return b->latest_leaf = BVH_LEAF | (uint32_t)end;
 	}
 	const size_t start = (end + GROUP_MAX - 1) / GROUP_MAX * GROUP_MAX;
 	uint32_t *slots = add_slots(b, start, GROUP_MAX);
 	for (uint32_t i = 0; i < n->count; i++)
 		slots[i] = b->items[n->first + i].index;
-	return BVH_LEAF | BVH_GROUP | (uint32_t)start;
+	return b->latest_leaf = BVH_LEAF | BVH_GROUP | (uint32_t)start;
 }
 
 static void set_child(struct bvh_node *node, size_t lane, const struct bounds *b, uint32_t child)
@@ -431,7 +432,7 @@ static uint32_t emit(struct builder *b, uint32_t at, size_t depth)
 		set_child(&v->nodes[index], lane, &n->bounds, child);
 	}
 	for (size_t lane = count; lane < BVH_WIDTH; lane++)
-		set_child(&v->nodes[index], lane, &bounds_nothing, 0);
+		set_child(&v->nodes[index], lane, &bounds_nothing, b->latest_leaf);
 	return (uint32_t)index;
 }
 
