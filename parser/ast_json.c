@@ -3,43 +3,26 @@
  * The AST as JSON, one object per node, indented. Declared values are printed
  * where they are used, the first time; later uses name the place only.
  */
-#include "base/arena.h"
+#include "base/pointer_map.h"
 #include "parser/ast.h"
 #include "parser/parser.h"
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-/* Nodes behind references that were printed already. */
 struct printer {
 	struct diag *diag;
 	FILE *out;
-	const void **seen; /* a hash table */
-	size_t seen_count, seen_capacity;
+	struct pointer_map
+		seen; /* nodes behind references and functions that were printed already */
 };
 
 static bool first_time(struct printer *j, const void *what)
 {
-	size_t i = ((uintptr_t)what >> 4) * 0x9E3779B97F4A7C15u;
-	if (2 * (j->seen_count + 1) > j->seen_capacity) {
-		const void **old = j->seen;
-		const size_t old_capacity = j->seen_capacity;
-		j->seen_capacity = old_capacity ? 2 * old_capacity : 256;
-		j->seen = memory_alloc(j->seen_capacity, sizeof *j->seen);
-		memset(j->seen, 0, j->seen_capacity * sizeof *j->seen);
-		j->seen_count = 0;
-		for (size_t k = 0; k < old_capacity; k++)
-			if (old[k])
-				first_time(j, old[k]);
-		free(old);
-	}
-	for (i &= j->seen_capacity - 1; j->seen[i]; i = (i + 1) & (j->seen_capacity - 1))
-		if (j->seen[i] == what)
-			return false;
-	j->seen[i] = what;
-	j->seen_count++;
+	if (pointer_map_find(&j->seen, what))
+		return false;
+	pointer_map_add(&j->seen, what, j);
 	return true;
 }
 
@@ -283,5 +266,5 @@ void ast_print_json(const struct ast *ast, struct diag *diag, FILE *out)
 	fprintf(out, "{\"version\": %d, \"statements\": ", ast->final.version);
 	print_nodes(&j, ast->statements, 0);
 	fputs("}\n", out);
-	free(j.seen);
+	pointer_map_release(&j.seen);
 }
