@@ -56,9 +56,7 @@ static bool loop_crosses_end(struct parser *p, const struct frame *f)
 	return false;
 }
 
-/* Goes back to the text that led to the present one, which is at its end. False: there is none,
- * or an error. */
-static bool leave_frame(struct parser *p)
+bool expand_leave_frame(struct parser *p)
 {
 	struct expand *x = p->expand;
 	struct frame *f = top_frame(x);
@@ -106,282 +104,6 @@ void complete_text(struct expand *x)
 		return;
 	follow_tokens(x, f->source);
 	f->end = f->source->count;
-}
-
-/* -- Raw tokens --------------------------------------------------------------------------- */
-
-/* Of the word that begins here; 0: none does. */
-static size_t word_length(const char *text)
-{
-	size_t length = 0;
-	while (text[length] == '_' || (text[length] >= 'a' && text[length] <= 'z') ||
-		(text[length] >= 'A' && text[length] <= 'Z') ||
-		(length && text[length] >= '0' && text[length] <= '9'))
-		length++;
-	return length;
-}
-
-static uint32_t raw_length(const struct expand *x, const struct frame *f, struct raw_token raw)
-{
-	size_t length = 1;
-	switch (raw.kind) {
-	case RAW_INTEGER:
-	case RAW_NUMBER:
-	case RAW_NUMBER_TEXT: {
-		number_at(f->source->bytes + raw.offset, &length);
-		break;
-	}
-	case RAW_STRING:
-		length = raw.payload + 2;
-		break;
-	case RAW_KEYWORD: /* synonyms differ in length */
-		length = word_length(f->source->bytes + raw.offset);
-		break;
-	case RAW_NAME:
-		length = x->names.list[raw.payload].length;
-		break;
-	case RAW_DIRECTIVE:
-		length = f->source->directives[raw.payload].length;
-		break;
-	case RAW_LE:
-	case RAW_GE:
-	case RAW_NE:
-		length = 2;
-		break;
-	case RAW_ERROR:
-		length = f->source->error_length;
-		break;
-	default:
-		break;
-	}
-	return (uint32_t)length;
-}
-
-static span raw_span_of(const struct expand *x, const struct frame *f, struct raw_token raw)
-{
-	return (span){ f->source->number, raw.offset, raw_length(x, f, raw), f->site };
-}
-
-/* The place behind the last token of a frame. */
-static span end_span(const struct frame *f)
-{
-	return (span){ f->source->number, (uint32_t)f->source->size, 1, f->site };
-}
-
-span raw_span(struct parser *p)
-{
-	const struct frame *f = top_frame(p->expand);
-	return f->position == f->end && !next_piece(p->expand)
-		       ? end_span(f)
-		       : raw_span_of(p->expand, f, f->tokens[f->position]);
-}
-
-span raw_span_at(struct parser *p, const struct raw_token *raw)
-{
-	return raw_span_of(p->expand, top_frame(p->expand), *raw);
-}
-
-static void report_lexical(struct parser *p, const struct frame *f)
-{
-	const struct source *s = f->source;
-	parser_error(
-		p, (span){ s->number, s->error_offset, s->error_length, f->site }, "%s", s->error);
-	if (s->error_note)
-		diag_note(p->diag, (span){ s->number, s->note_offset, 1, f->site }, "%s",
-			s->error_note);
-}
-
-const struct raw_token *raw_peek_at_end(struct parser *p)
-{
-	struct expand *x = p->expand;
-	if (p->failed)
-		return NULL;
-	struct frame *f = top_frame(x);
-	while (f->position == f->end && !next_piece(x)) {
-		if (!f->is_macro || !leave_frame(p))
-			return NULL;
-		f = top_frame(x);
-	}
-	const struct raw_token *raw = &f->tokens[f->position];
-	if (raw->kind != RAW_ERROR)
-		return raw;
-	report_lexical(p, f);
-	return NULL;
-}
-
-span raw_take(struct parser *p)
-{
-	const span where = raw_span(p);
-	raw_step(p);
-	return where;
-}
-
-bool raw_accept(struct parser *p, unsigned kind)
-{
-	const struct raw_token *raw = raw_peek(p);
-	if (!raw || raw->kind != kind)
-		return false;
-	raw_step(p);
-	return true;
-}
-
-bool raw_accept_keyword(struct parser *p, enum keyword keyword)
-{
-	const struct raw_token *raw = raw_peek(p);
-	if (!raw || raw->kind != RAW_KEYWORD || raw->payload != (uint32_t)keyword)
-		return false;
-	raw_step(p);
-	return true;
-}
-
-const char *raw_describe(struct parser *p, const struct raw_token *raw)
-{
-	if (!raw)
-		return "the end of the text";
-	const struct expand *x = p->expand;
-	const struct frame *f = &x->frames[x->frame_count - 1];
-	if (raw->kind == RAW_STRING)
-		return "a string";
-	const char *text =
-		arena_string(p->arena, f->source->bytes + raw->offset, raw_length(x, f, *raw));
-	return arena_printf(
-		p->arena, raw->kind == RAW_KEYWORD ? "the reserved word '%s'" : "'%s'", text);
-}
-
-bool raw_name(struct parser *p, const char *what, uint32_t *name, span *where)
-{
-	const struct raw_token *raw = raw_peek(p);
-	if (!raw || raw->kind != RAW_NAME) {
-		parser_error(p, raw_span(p), "expected %s, found %s", what, raw_describe(p, raw));
-		return false;
-	}
-	const struct frame *f = top_frame(p->expand);
-	*name = raw->payload;
-	*where = (span){ f->source->number, raw->offset, p->expand->names.list[*name].length,
-		f->site };
-	raw_step(p);
-	return true;
-}
-
-const char *raw_string(struct parser *p, bool escapes)
-{
-	const struct raw_token *raw = raw_peek(p);
-	if (!raw || raw->kind != RAW_STRING)
-		return NULL;
-	const char *text = top_frame(p->expand)->source->bytes + raw->offset + 1;
-	const size_t length = raw->payload;
-	return string_literal(p, text, length, raw_take(p), escapes);
-}
-
-/* -- The gate ----------------------------------------------------------------------------- */
-
-void gate_open(struct parser *p, struct gate *g, bool hold)
-{
-	*g = (struct gate){ .outer = p->expand->gate, .hold = hold };
-	p->expand->gate = g;
-}
-
-void gate_close(struct parser *p)
-{
-	p->expand->gate = p->expand->gate->outer;
-}
-
-static bool gate_holds(const struct gate *g)
-{
-	return g->hold && g->operand && g->depth == 0;
-}
-
-static void gate_bracket(struct gate *g, bool angle)
-{
-	g->depth++;
-	g->angles = g->angles << 1 | angle;
-	g->operand = false;
-}
-
-static void gate_unbracket(struct gate *g)
-{
-	if (g->depth)
-		g->depth--;
-	g->angles >>= 1;
-	g->operand = true;
-}
-
-static bool is_unit_vector(int token)
-{
-	return token == KW_X || token == KW_Y || token == KW_Z || token == KW_U || token == KW_V ||
-	       token == KW_T;
-}
-
-/* Accounts for a token on its way to the grammar. */
-static void gate_note(struct gate *g, int token, const struct token_value *v)
-{
-	if (g->delivered++ == 0) {
-		g->first = token;
-		g->slot = v->symbol ? v->symbol->slot : NULL;
-		g->table = v->symbol ? v->symbol->table : 0;
-	}
-	const bool dot = g->dot;
-	g->dot = token == '.';
-	switch (token) {
-	case '(':
-	case '[':
-	case '{':
-		gate_bracket(g, false);
-		break;
-	case ')':
-	case ']':
-	case '}':
-		gate_unbracket(g);
-		break;
-	case '<':
-		if (g->operand)
-			g->operand = false; /* less than */
-		else
-			gate_bracket(g, true);
-		break;
-	case '>':
-		if (g->depth && (g->angles & 1))
-			gate_unbracket(g);
-		else
-			g->operand = false; /* greater than */
-		break;
-	case T_FUNCTION:
-	case T_VECTOR_FUNCTION:
-	case T_SPLINE: /* the look for the bracket of a call is live */
-		g->operand = false;
-		break;
-	case T_NUMBER:
-	case T_VECTOR:
-	case T_COLOUR:
-	case T_STRING:
-	case T_OBJECT:
-	case T_TEXTURE:
-	case T_PIGMENT:
-	case T_NORMAL:
-	case T_FINISH:
-	case T_MATERIAL:
-	case T_INTERIOR:
-	case T_MEDIA:
-	case T_DENSITY:
-	case T_CAMERA:
-	case T_FOG:
-	case T_RAINBOW:
-	case T_SKY_SPHERE:
-	case T_TRANSFORM:
-	case T_COLOUR_MAP:
-	case T_PIGMENT_MAP:
-	case T_NORMAL_MAP:
-	case T_TEXTURE_MAP:
-	case T_SLOPE_MAP:
-	case T_DENSITY_MAP:
-	case T_ARRAY:
-	case T_UNDECLARED:
-		g->operand = true;
-		break;
-	default:
-		g->operand = dot || is_unit_vector(token);
-		break;
-	}
 }
 
 /* -- Typed tokens ------------------------------------------------------------------------- */
@@ -485,8 +207,8 @@ static bool passes_gate(const struct expand *x, const struct directive *d)
 /* The end of the present text was reached: 0 at the end of the scene. */
 static int at_end(struct parser *p, span *where)
 {
-	*where = end_span(top_frame(p->expand));
-	if (leave_frame(p))
+	*where = raw_end_span(top_frame(p->expand));
+	if (expand_leave_frame(p))
 		return -1;
 	if (!p->failed && p->expand->frame_count == 1)
 		block_report_open(p);
@@ -543,7 +265,7 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 		raw_step(p);
 		return T_NE;
 	case RAW_ERROR:
-		report_lexical(p, f);
+		raw_report_lexical(p, f);
 		return 0;
 	default:
 		raw_step(p);
@@ -643,86 +365,13 @@ int expand_next(struct parser *p, struct token_value *v, span *where)
 	return token;
 }
 
-/* A number of a plain vector: a literal with signs before it. Moves *at behind it. */
-static bool plain_component(const struct frame *f, uint32_t *at, double *value)
-{
-	bool negative = false;
-	for (; *at < f->end && f->tokens[*at].kind == '-'; ++*at)
-		negative = !negative;
-	if (*at == f->end)
-		return false;
-	const struct raw_token raw = f->tokens[(*at)++];
-	if (raw.kind == RAW_INTEGER)
-		*value = raw.payload;
-	else if (raw.kind == RAW_NUMBER)
-		*value = f->source->numbers[raw.payload];
-	else
-		return false;
-	if (negative)
-		*value = -*value;
-	return true;
-}
-
-bool expand_plain_row(struct parser *p, unsigned terms, double *v)
-{
-	struct expand *x = p->expand;
-	struct frame *f = top_frame(x);
-	uint32_t at = f->position;
-	if (at == f->end || f->tokens[at++].kind != '<' || has_read_ahead(x))
-		return false;
-	for (unsigned i = 0; i < terms; i++) {
-		if (!plain_component(f, &at, &v[i]) || at == f->end ||
-			f->tokens[at++].kind != (i + 1 < terms ? ',' : '>'))
-			return false;
-	}
-	if (at == f->end)
-		return false;
-	const unsigned next = f->tokens[at].kind;
-	if (next != ',' && next != '<' && next != '}' && next != RAW_INTEGER)
-		return false;
-	at += next == ',';
-	x->work += at - f->position;
-	p->token_count += at - f->position;
-	f->position = at;
-	return true;
-}
-
-bool expand_plain_vector(struct parser *p, struct number *number, span *last)
-{
-	struct expand *x = p->expand;
-	struct frame *f = top_frame(x);
-	uint32_t at = f->position;
-	unsigned terms = 0;
-	if (has_read_ahead(x))
-		return false;
-	for (;;) {
-		if (terms == 5 || !plain_component(f, &at, &number->v[terms++]) || at == f->end)
-			return false;
-		const unsigned kind = f->tokens[at].kind;
-		if (kind == '>' && terms > 1)
-			break;
-		if (kind != ',' && kind != RAW_INTEGER && kind != RAW_NUMBER)
-			return false;
-		at += kind == ',';
-	}
-	*last = (span){ f->source->number, f->tokens[at].offset, 1, f->site };
-	x->work += at + 1 - f->position;
-	p->token_count += at + 1 - f->position;
-	f->position = at + 1;
-	x->before = *x->gate;
-	gate_note(x->gate, '>', &(const struct token_value){ .keyword = K_NONE });
-	number->terms = (uint8_t)terms;
-	number->leftover = false;
-	return true;
-}
-
 const struct name *expand_name_at(struct parser *p, span where)
 {
 	struct names *names = &p->expand->names;
 	const struct source *s = p->expand->sources;
 	while (s && s->number != where.source)
 		s = s->previous;
-	const size_t length = s ? word_length(s->bytes + where.offset) : 0;
+	const size_t length = s ? raw_word_length(s->bytes + where.offset) : 0;
 	return length ? &names->list[names_intern(names, s->bytes + where.offset, length)] : NULL;
 }
 

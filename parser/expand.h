@@ -127,16 +127,23 @@ struct expand {
 	struct hidden_names *hidden; /* by the parameters of functions being read */
 };
 
-/* -- expand.c: raw tokens and gates -- */
+/* -- expand.c, raw.c, gate.c -- */
 
 struct expand *expand_create(struct parser *);
 void expand_destroy(struct expand *);
 /* Begins to read a text; false after an error. */
 bool expand_push_file(struct parser *, struct source *, span call);
+/* Goes back to the text that led to the present one, which is at its end. False: there is none,
+ * or an error. */
+bool expand_leave_frame(struct parser *);
 
 /* Between gate_open and gate_close tokens are counted and held by the gate given. */
 void gate_open(struct parser *, struct gate *, bool hold);
 void gate_close(struct parser *);
+/* Whether directives and macros wait. */
+bool gate_holds(const struct gate *);
+/* Accounts for a token on its way to the grammar. */
+void gate_note(struct gate *, int token, const struct token_value *);
 
 /* The text being read. */
 static inline struct frame *top_frame(struct expand *x)
@@ -176,6 +183,14 @@ span raw_take(struct parser *);
 span raw_span(struct parser *);
 /* Span of a token of the present text. */
 span raw_span_at(struct parser *, const struct raw_token *);
+/* Span of a token of a text. */
+span raw_span_of(const struct expand *, const struct frame *, struct raw_token);
+/* The place behind the last token of a text. */
+span raw_end_span(const struct frame *);
+/* Length of the word that begins here; 0: none does. */
+size_t raw_word_length(const char *text);
+/* Says what the lexer stopped at. */
+void raw_report_lexical(struct parser *, const struct frame *);
 /* Words for a raw token in a message. */
 const char *raw_describe(struct parser *, const struct raw_token *);
 /* The value of a word like pi, clock or true; false: it is none. */

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Vectors of literals straight from the raw tokens: what large meshes are made
+ * of. Whatever else is met is left to the grammar.
+ */
+#include "parser/expand.h"
+
+/* A number of a plain vector: a literal with signs before it. Moves *at behind it. */
+static bool plain_component(const struct frame *f, uint32_t *at, double *value)
+{
+	bool negative = false;
+	for (; *at < f->end && f->tokens[*at].kind == '-'; ++*at)
+		negative = !negative;
+	if (*at == f->end)
+		return false;
+	const struct raw_token raw = f->tokens[(*at)++];
+	if (raw.kind == RAW_INTEGER)
+		*value = raw.payload;
+	else if (raw.kind == RAW_NUMBER)
+		*value = f->source->numbers[raw.payload];
+	else
+		return false;
+	if (negative)
+		*value = -*value;
+	return true;
+}
+
+bool expand_plain_row(struct parser *p, unsigned terms, double *v)
+{
+	struct expand *x = p->expand;
+	struct frame *f = top_frame(x);
+	uint32_t at = f->position;
+	if (at == f->end || f->tokens[at++].kind != '<' || has_read_ahead(x))
+		return false;
+	for (unsigned i = 0; i < terms; i++) {
+		if (!plain_component(f, &at, &v[i]) || at == f->end ||
+			f->tokens[at++].kind != (i + 1 < terms ? ',' : '>'))
+			return false;
+	}
+	if (at == f->end)
+		return false;
+	const unsigned next = f->tokens[at].kind;
+	if (next != ',' && next != '<' && next != '}' && next != RAW_INTEGER)
+		return false;
+	at += next == ',';
+	x->work += at - f->position;
+	p->token_count += at - f->position;
+	f->position = at;
+	return true;
+}
+
+bool expand_plain_vector(struct parser *p, struct number *number, span *last)
+{
+	struct expand *x = p->expand;
+	struct frame *f = top_frame(x);
+	uint32_t at = f->position;
+	unsigned terms = 0;
+	if (has_read_ahead(x))
+		return false;
+	for (;;) {
+		if (terms == 5 || !plain_component(f, &at, &number->v[terms++]) || at == f->end)
+			return false;
+		const unsigned kind = f->tokens[at].kind;
+		if (kind == '>' && terms > 1)
+			break;
+		if (kind != ',' && kind != RAW_INTEGER && kind != RAW_NUMBER)
+			return false;
+		at += kind == ',';
+	}
+	*last = (span){ f->source->number, f->tokens[at].offset, 1, f->site };
+	x->work += at + 1 - f->position;
+	p->token_count += at + 1 - f->position;
+	f->position = at + 1;
+	x->before = *x->gate;
+	gate_note(x->gate, '>', &(const struct token_value){ .keyword = K_NONE });
+	number->terms = (uint8_t)terms;
+	number->leftover = false;
+	return true;
+}
