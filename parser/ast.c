@@ -99,6 +99,12 @@ struct node *node_number(struct parser *p, enum keyword keyword, span whole, spa
 	return node_args(p, keyword, whole, word, args_push_number(p, number, at));
 }
 
+struct node *node_float(struct parser *p, enum keyword keyword, span whole, span word, double value,
+	span value_span)
+{
+	return node_number(p, keyword, whole, word, number_float(value), value_span);
+}
+
 struct node *node_string(
 	struct parser *p, enum keyword keyword, span whole, span word, const char *text, span at)
 {

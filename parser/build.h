@@ -152,6 +152,7 @@ struct node *node_new(struct parser *, enum keyword, span whole, span word);
 /* Takes the arguments from `start` up. */
 struct node *node_args(struct parser *, enum keyword, span whole, span word, size_t start);
 struct node *node_number(struct parser *, enum keyword, span whole, span word, struct number, span);
+struct node *node_float(struct parser *, enum keyword, span whole, span word, double, span);
 struct node *node_string(struct parser *, enum keyword, span whole, span word, const char *, span);
 struct node *node_function(
 	struct parser *, enum keyword, span whole, span word, const struct function *, span);

@@ -112,500 +112,8 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %token <name> T_UNDECLARED "an undeclared word"
 %token T_LE "<=" T_GE ">=" T_NE "!="
 
-/* One terminal for each line of keywords.def. */
-%token <keyword> KW_AA_LEVEL "aa_level"
-%token <keyword> KW_AA_THRESHOLD "aa_threshold"
-%token <keyword> KW_ABS "abs"
-%token <keyword> KW_ABSORPTION "absorption"
-%token <keyword> KW_ACCURACY "accuracy"
-%token <keyword> KW_ACOS "acos"
-%token <keyword> KW_ACOSH "acosh"
-%token <keyword> KW_ADAPTIVE "adaptive"
-%token <keyword> KW_ADC_BAILOUT "adc_bailout"
-%token <keyword> KW_AGATE "agate"
-%token <keyword> KW_AGATE_TURB "agate_turb"
-%token <keyword> KW_ALBEDO "albedo"
-%token <keyword> KW_ALL "all"
-%token <keyword> KW_ALL_INTERSECTIONS "all_intersections"
-%token <keyword> KW_ALPHA "alpha"
-%token <keyword> KW_ALTITUDE "altitude"
-%token <keyword> KW_ALWAYS_SAMPLE "always_sample"
-%token <keyword> KW_AMBIENT "ambient"
-%token <keyword> KW_AMBIENT_LIGHT "ambient_light"
-%token <keyword> KW_ANGLE "angle"
-%token <keyword> KW_ANISOTROPY "anisotropy"
-%token <keyword> KW_AOI "aoi"
-%token <keyword> KW_APERTURE "aperture"
-%token <keyword> KW_APPEND "append"
-%token <keyword> KW_ARC_ANGLE "arc_angle"
-%token <keyword> KW_AREA_ILLUMINATION "area_illumination"
-%token <keyword> KW_AREA_LIGHT "area_light"
-%token <keyword> KW_ARRAY "array"
-%token <keyword> KW_ASC "asc"
-%token <keyword> KW_ASCII "ascii"
-%token <keyword> KW_ASIN "asin"
-%token <keyword> KW_ASINH "asinh"
-%token <keyword> KW_ASSUMED_GAMMA "assumed_gamma"
-%token <keyword> KW_ATAN "atan"
-%token <keyword> KW_ATAN2 "atan2"
-%token <keyword> KW_ATANH "atanh"
-%token <keyword> KW_AUTOSTOP "autostop"
-%token <keyword> KW_AVERAGE "average"
-%token <keyword> KW_B_SPLINE "b_spline"
-%token <keyword> KW_BACKGROUND "background"
-%token <keyword> KW_BEZIER_SPLINE "bezier_spline"
-%token <keyword> KW_BICUBIC_PATCH "bicubic_patch"
-%token <keyword> KW_BITWISE_AND "bitwise_and"
-%token <keyword> KW_BITWISE_OR "bitwise_or"
-%token <keyword> KW_BITWISE_XOR "bitwise_xor"
-%token <keyword> KW_BLACK_HOLE "black_hole"
-%token <keyword> KW_BLOB "blob"
-%token <keyword> KW_BLUE "blue"
-%token <keyword> KW_BLUR_SAMPLES "blur_samples"
-%token <keyword> KW_BMP "bmp"
-%token <keyword> KW_BOKEH "bokeh"
-%token <keyword> KW_BOUNDED_BY "bounded_by"
-%token <keyword> KW_BOX "box"
-%token <keyword> KW_BOXED "boxed"
-%token <keyword> KW_BOZO "bozo"
-%token <keyword> KW_BREAK "break"
-%token <keyword> KW_BRICK "brick"
-%token <keyword> KW_BRICK_SIZE "brick_size"
-%token <keyword> KW_BRIGHTNESS "brightness"
-%token <keyword> KW_BRILLIANCE "brilliance"
-%token <keyword> KW_BUMP_MAP "bump_map"
-%token <keyword> KW_BUMP_SIZE "bump_size"
-%token <keyword> KW_BUMPS "bumps"
-%token <keyword> KW_CAMERA "camera"
-%token <keyword> KW_CASE "case"
-%token <keyword> KW_CAUSTICS "caustics"
-%token <keyword> KW_CEIL "ceil"
-%token <keyword> KW_CELLS "cells"
-%token <keyword> KW_CHARSET "charset"
-%token <keyword> KW_CHECKER "checker"
-%token <keyword> KW_CHR "chr"
-%token <keyword> KW_CIRCULAR "circular"
-%token <keyword> KW_CLIPPED_BY "clipped_by"
-%token <keyword> KW_CLOCK "clock"
-%token <keyword> KW_CLOCK_ON "clock_on"
-%token <keyword> KW_COLLECT "collect"
-%token <keyword> KW_COLOR "color"
-%token <keyword> KW_COLOR_MAP "color_map"
-%token <keyword> KW_COMPONENT "component"
-%token <keyword> KW_COMPOSITE "composite"
-%token <keyword> KW_CONCAT "concat"
-%token <keyword> KW_CONE "cone"
-%token <keyword> KW_CONFIDENCE "confidence"
-%token <keyword> KW_CONIC_SWEEP "conic_sweep"
-%token <keyword> KW_CONSERVE_ENERGY "conserve_energy"
-%token <keyword> KW_CONTAINED_BY "contained_by"
-%token <keyword> KW_CONTROL0 "control0"
-%token <keyword> KW_CONTROL1 "control1"
-%token <keyword> KW_COORDS "coords"
-%token <keyword> KW_COS "cos"
-%token <keyword> KW_COSH "cosh"
-%token <keyword> KW_COUNT "count"
-%token <keyword> KW_CRACKLE "crackle"
-%token <keyword> KW_CRAND "crand"
-%token <keyword> KW_CUBE "cube"
-%token <keyword> KW_CUBIC "cubic"
-%token <keyword> KW_CUBIC_SPLINE "cubic_spline"
-%token <keyword> KW_CUBIC_WAVE "cubic_wave"
-%token <keyword> KW_CUTAWAY_TEXTURES "cutaway_textures"
-%token <keyword> KW_CYLINDER "cylinder"
-%token <keyword> KW_CYLINDRICAL "cylindrical"
-%token <keyword> KW_DATETIME "datetime"
-%token <keyword> KW_DEBUG "debug"
-%token <keyword> KW_DECLARE "declare"
-%token <keyword> KW_DEFAULT "default"
-%token <keyword> KW_DEFINED "defined"
-%token <keyword> KW_DEGREES "degrees"
-%token <keyword> KW_DENSITY "density"
-%token <keyword> KW_DENSITY_FILE "density_file"
-%token <keyword> KW_DENSITY_MAP "density_map"
-%token <keyword> KW_DENTS "dents"
-%token <keyword> KW_DEPRECATED "deprecated"
-%token <keyword> KW_DF3 "df3"
-%token <keyword> KW_DIFFERENCE "difference"
-%token <keyword> KW_DIFFUSE "diffuse"
-%token <keyword> KW_DIMENSION_SIZE "dimension_size"
-%token <keyword> KW_DIMENSIONS "dimensions"
-%token <keyword> KW_DIRECTION "direction"
-%token <keyword> KW_DISC "disc"
-%token <keyword> KW_DISPERSION "dispersion"
-%token <keyword> KW_DISPERSION_SAMPLES "dispersion_samples"
-%token <keyword> KW_DIST_EXP "dist_exp"
-%token <keyword> KW_DISTANCE "distance"
-%token <keyword> KW_DIV "div"
-%token <keyword> KW_DOUBLE_ILLUMINATE "double_illuminate"
-%token <keyword> KW_DTAG "dtag"
-%token <keyword> KW_ECCENTRICITY "eccentricity"
-%token <keyword> KW_ELSE "else"
-%token <keyword> KW_ELSEIF "elseif"
-%token <keyword> KW_EMISSION "emission"
-%token <keyword> KW_END "end"
-%token <keyword> KW_ERROR "error"
-%token <keyword> KW_ERROR_BOUND "error_bound"
-%token <keyword> KW_EVALUATE "evaluate"
-%token <keyword> KW_EXP "exp"
-%token <keyword> KW_EXPAND_THRESHOLDS "expand_thresholds"
-%token <keyword> KW_EXPONENT "exponent"
-%token <keyword> KW_EXR "exr"
-%token <keyword> KW_EXTERIOR "exterior"
-%token <keyword> KW_EXTINCTION "extinction"
-%token <keyword> KW_FACE_INDICES "face_indices"
-%token <keyword> KW_FACETS "facets"
-%token <keyword> KW_FADE_COLOR "fade_color"
-%token <keyword> KW_FADE_DISTANCE "fade_distance"
-%token <keyword> KW_FADE_POWER "fade_power"
-%token <keyword> KW_FALLOFF "falloff"
-%token <keyword> KW_FALLOFF_ANGLE "falloff_angle"
-%token <keyword> KW_FALSE "false"
-%token <keyword> KW_FCLOSE "fclose"
-%token <keyword> KW_FILE_EXISTS "file_exists"
-%token <keyword> KW_FILTER "filter"
-%token <keyword> KW_FINISH "finish"
-%token <keyword> KW_FISHEYE "fisheye"
-%token <keyword> KW_FLATNESS "flatness"
-%token <keyword> KW_FLIP "flip"
-%token <keyword> KW_FLOOR "floor"
-%token <keyword> KW_FOCAL_POINT "focal_point"
-%token <keyword> KW_FOG "fog"
-%token <keyword> KW_FOG_ALT "fog_alt"
-%token <keyword> KW_FOG_OFFSET "fog_offset"
-%token <keyword> KW_FOG_TYPE "fog_type"
-%token <keyword> KW_FOPEN "fopen"
-%token <keyword> KW_FOR "for"
-%token <keyword> KW_FORM "form"
-%token <keyword> KW_FREQUENCY "frequency"
-%token <keyword> KW_FRESNEL "fresnel"
-%token <keyword> KW_FUNCTION "function"
-%token <keyword> KW_GAMMA "gamma"
-%token <keyword> KW_GATHER "gather"
-%token <keyword> KW_GIF "gif"
-%token <keyword> KW_GLOBAL_LIGHTS "global_lights"
-%token <keyword> KW_GLOBAL_SETTINGS "global_settings"
-%token <keyword> KW_GRADIENT "gradient"
-%token <keyword> KW_GRANITE "granite"
-%token <keyword> KW_GRAY "gray"
-%token <keyword> KW_GRAY_THRESHOLD "gray_threshold"
-%token <keyword> KW_GREEN "green"
-%token <keyword> KW_HDR "hdr"
-%token <keyword> KW_HEIGHT_FIELD "height_field"
-%token <keyword> KW_HEXAGON "hexagon"
-%token <keyword> KW_HF_GRAY_16 "hf_gray_16"
-%token <keyword> KW_HIERARCHY "hierarchy"
-%token <keyword> KW_HOLLOW "hollow"
-%token <keyword> KW_HYPERCOMPLEX "hypercomplex"
-%token <keyword> KW_IF "if"
-%token <keyword> KW_IFDEF "ifdef"
-%token <keyword> KW_IFF "iff"
-%token <keyword> KW_IFNDEF "ifndef"
-%token <keyword> KW_IMAGE_MAP "image_map"
-%token <keyword> KW_IMAGE_PATTERN "image_pattern"
-%token <keyword> KW_IMPORTANCE "importance"
-%token <keyword> KW_INCLUDE "include"
-%token <keyword> KW_INSIDE "inside"
-%token <keyword> KW_INSIDE_VECTOR "inside_vector"
-%token <keyword> KW_INT "int"
-%token <keyword> KW_INTERIOR "interior"
-%token <keyword> KW_INTERIOR_TEXTURE "interior_texture"
-%token <keyword> KW_INTERNAL "internal"
-%token <keyword> KW_INTERPOLATE "interpolate"
-%token <keyword> KW_INTERSECTION "intersection"
-%token <keyword> KW_INTERVALS "intervals"
-%token <keyword> KW_INVERSE "inverse"
-%token <keyword> KW_IOR "ior"
-%token <keyword> KW_IRID "irid"
-%token <keyword> KW_IRID_WAVELENGTH "irid_wavelength"
-%token <keyword> KW_ISOSURFACE "isosurface"
-%token <keyword> KW_JITTER "jitter"
-%token <keyword> KW_JPEG "jpeg"
-%token <keyword> KW_JULIA "julia"
-%token <keyword> KW_JULIA_FRACTAL "julia_fractal"
-%token <keyword> KW_LAMBDA "lambda"
-%token <keyword> KW_LATHE "lathe"
-%token <keyword> KW_LEOPARD "leopard"
-%token <keyword> KW_LIGHT_GROUP "light_group"
-%token <keyword> KW_LIGHT_SOURCE "light_source"
-%token <keyword> KW_LINEAR_SPLINE "linear_spline"
-%token <keyword> KW_LINEAR_SWEEP "linear_sweep"
-%token <keyword> KW_LN "ln"
-%token <keyword> KW_LOAD_FILE "load_file"
-%token <keyword> KW_LOCAL "local"
-%token <keyword> KW_LOCATION "location"
-%token <keyword> KW_LOG "log"
-%token <keyword> KW_LOOK_AT "look_at"
-%token <keyword> KW_LOOKS_LIKE "looks_like"
-%token <keyword> KW_LOW_ERROR_FACTOR "low_error_factor"
-%token <keyword> KW_MACRO "macro"
-%token <keyword> KW_MAGNET "magnet"
-%token <keyword> KW_MAJOR_RADIUS "major_radius"
-%token <keyword> KW_MANDEL "mandel"
-%token <keyword> KW_MAP_TYPE "map_type"
-%token <keyword> KW_MARBLE "marble"
-%token <keyword> KW_MATERIAL "material"
-%token <keyword> KW_MATERIAL_MAP "material_map"
-%token <keyword> KW_MATRIX "matrix"
-%token <keyword> KW_MAX "max"
-%token <keyword> KW_MAX_EXTENT "max_extent"
-%token <keyword> KW_MAX_GRADIENT "max_gradient"
-%token <keyword> KW_MAX_INTERSECTIONS "max_intersections"
-%token <keyword> KW_MAX_ITERATION "max_iteration"
-%token <keyword> KW_MAX_SAMPLE "max_sample"
-%token <keyword> KW_MAX_TRACE "max_trace"
-%token <keyword> KW_MAX_TRACE_LEVEL "max_trace_level"
-%token <keyword> KW_MAXIMUM_REUSE "maximum_reuse"
-%token <keyword> KW_MEDIA "media"
-%token <keyword> KW_MEDIA_ATTENUATION "media_attenuation"
-%token <keyword> KW_MEDIA_INTERACTION "media_interaction"
-%token <keyword> KW_MERGE "merge"
-%token <keyword> KW_MESH "mesh"
-%token <keyword> KW_MESH2 "mesh2"
-%token <keyword> KW_MESH_CAMERA "mesh_camera"
-%token <keyword> KW_METALLIC "metallic"
-%token <keyword> KW_METHOD "method"
-%token <keyword> KW_METRIC "metric"
-%token <keyword> KW_MIN "min"
-%token <keyword> KW_MIN_EXTENT "min_extent"
-%token <keyword> KW_MINIMUM_REUSE "minimum_reuse"
-%token <keyword> KW_MM_PER_UNIT "mm_per_unit"
-%token <keyword> KW_MOD "mod"
-%token <keyword> KW_MORTAR "mortar"
-%token <keyword> KW_NATURAL_SPLINE "natural_spline"
-%token <keyword> KW_NEAREST_COUNT "nearest_count"
-%token <keyword> KW_NO "no"
-%token <keyword> KW_NO_BUMP_SCALE "no_bump_scale"
-%token <keyword> KW_NO_IMAGE "no_image"
-%token <keyword> KW_NO_RADIOSITY "no_radiosity"
-%token <keyword> KW_NO_REFLECTION "no_reflection"
-%token <keyword> KW_NO_SHADOW "no_shadow"
-%token <keyword> KW_NOISE_GENERATOR "noise_generator"
-%token <keyword> KW_NORMAL "normal"
-%token <keyword> KW_NORMAL_INDICES "normal_indices"
-%token <keyword> KW_NORMAL_MAP "normal_map"
-%token <keyword> KW_NORMAL_VECTORS "normal_vectors"
-%token <keyword> KW_NOW "now"
-%token <keyword> KW_NUMBER_OF_SIDES "number_of_sides"
-%token <keyword> KW_NUMBER_OF_TILES "number_of_tiles"
-%token <keyword> KW_NUMBER_OF_WAVES "number_of_waves"
-%token <keyword> KW_OBJECT "object"
-%token <keyword> KW_OCTAVES "octaves"
-%token <keyword> KW_OFF "off"
-%token <keyword> KW_OFFSET "offset"
-%token <keyword> KW_OMEGA "omega"
-%token <keyword> KW_OMNIMAX "omnimax"
-%token <keyword> KW_ON "on"
-%token <keyword> KW_ONCE "once"
-%token <keyword> KW_ONION "onion"
-%token <keyword> KW_OPEN "open"
-%token <keyword> KW_ORIENT "orient"
-%token <keyword> KW_ORIENTATION "orientation"
-%token <keyword> KW_ORTHOGRAPHIC "orthographic"
-%token <keyword> KW_OVUS "ovus"
-%token <keyword> KW_PANORAMIC "panoramic"
-%token <keyword> KW_PARALLEL "parallel"
-%token <keyword> KW_PARAMETRIC "parametric"
-%token <keyword> KW_PASS_THROUGH "pass_through"
-%token <keyword> KW_PATTERN "pattern"
-%token <keyword> KW_PAVEMENT "pavement"
-%token <keyword> KW_PERSPECTIVE "perspective"
-%token <keyword> KW_PGM "pgm"
-%token <keyword> KW_PHASE "phase"
-%token <keyword> KW_PHONG "phong"
-%token <keyword> KW_PHONG_SIZE "phong_size"
-%token <keyword> KW_PHOTONS "photons"
-%token <keyword> KW_PI "pi"
-%token <keyword> KW_PIGMENT "pigment"
-%token <keyword> KW_PIGMENT_MAP "pigment_map"
-%token <keyword> KW_PIGMENT_PATTERN "pigment_pattern"
-%token <keyword> KW_PLANAR "planar"
-%token <keyword> KW_PLANE "plane"
-%token <keyword> KW_PNG "png"
-%token <keyword> KW_POINT_AT "point_at"
-%token <keyword> KW_POLY "poly"
-%token <keyword> KW_POLY_WAVE "poly_wave"
-%token <keyword> KW_POLYGON "polygon"
-%token <keyword> KW_POLYNOMIAL "polynomial"
-%token <keyword> KW_POT "pot"
-%token <keyword> KW_POW "pow"
-%token <keyword> KW_PPM "ppm"
-%token <keyword> KW_PRECISION "precision"
-%token <keyword> KW_PRECOMPUTE "precompute"
-%token <keyword> KW_PREMULTIPLIED "premultiplied"
-%token <keyword> KW_PRETRACE_END "pretrace_end"
-%token <keyword> KW_PRETRACE_START "pretrace_start"
-%token <keyword> KW_PRISM "prism"
-%token <keyword> KW_PROD "prod"
-%token <keyword> KW_PROJECTED_THROUGH "projected_through"
-%token <keyword> KW_PWR "pwr"
-%token <keyword> KW_QUADRATIC_SPLINE "quadratic_spline"
-%token <keyword> KW_QUADRIC "quadric"
-%token <keyword> KW_QUARTIC "quartic"
-%token <keyword> KW_QUATERNION "quaternion"
-%token <keyword> KW_QUICK_COLOR "quick_color"
-%token <keyword> KW_QUILTED "quilted"
-%token <keyword> KW_RADIAL "radial"
-%token <keyword> KW_RADIANS "radians"
-%token <keyword> KW_RADIOSITY "radiosity"
-%token <keyword> KW_RADIUS "radius"
-%token <keyword> KW_RAINBOW "rainbow"
-%token <keyword> KW_RAMP_WAVE "ramp_wave"
-%token <keyword> KW_RAND "rand"
-%token <keyword> KW_RANGE "range"
-%token <keyword> KW_RATIO "ratio"
-%token <keyword> KW_READ "read"
-%token <keyword> KW_RECIPROCAL "reciprocal"
-%token <keyword> KW_RECURSION_LIMIT "recursion_limit"
-%token <keyword> KW_RED "red"
-%token <keyword> KW_REFLECTION "reflection"
-%token <keyword> KW_REFLECTION_EXPONENT "reflection_exponent"
-%token <keyword> KW_REFRACTION "refraction"
-%token <keyword> KW_RENDER "render"
-%token <keyword> KW_REPEAT "repeat"
-%token <keyword> KW_RGB "rgb"
-%token <keyword> KW_RGBF "rgbf"
-%token <keyword> KW_RGBFT "rgbft"
-%token <keyword> KW_RGBT "rgbt"
-%token <keyword> KW_RIGHT "right"
-%token <keyword> KW_RIPPLES "ripples"
-%token <keyword> KW_ROTATE "rotate"
-%token <keyword> KW_ROUGHNESS "roughness"
-%token <keyword> KW_SAMPLES "samples"
-%token <keyword> KW_SAVE_FILE "save_file"
-%token <keyword> KW_SCALE "scale"
-%token <keyword> KW_SCALLOP_WAVE "scallop_wave"
-%token <keyword> KW_SCATTERING "scattering"
-%token <keyword> KW_SEED "seed"
-%token <keyword> KW_SELECT "select"
-%token <keyword> KW_SHADOWLESS "shadowless"
-%token <keyword> KW_SIN "sin"
-%token <keyword> KW_SINE_WAVE "sine_wave"
-%token <keyword> KW_SINH "sinh"
-%token <keyword> KW_SINT16BE "sint16be"
-%token <keyword> KW_SINT16LE "sint16le"
-%token <keyword> KW_SINT32BE "sint32be"
-%token <keyword> KW_SINT32LE "sint32le"
-%token <keyword> KW_SINT8 "sint8"
-%token <keyword> KW_SIZE "size"
-%token <keyword> KW_SKY "sky"
-%token <keyword> KW_SKY_SPHERE "sky_sphere"
-%token <keyword> KW_SLICE "slice"
-%token <keyword> KW_SLOPE "slope"
-%token <keyword> KW_SLOPE_MAP "slope_map"
-%token <keyword> KW_SMOOTH "smooth"
-%token <keyword> KW_SMOOTH_TRIANGLE "smooth_triangle"
-%token <keyword> KW_SOLID "solid"
-%token <keyword> KW_SOR "sor"
-%token <keyword> KW_SPACING "spacing"
-%token <keyword> KW_SPECULAR "specular"
-%token <keyword> KW_SPHERE "sphere"
-%token <keyword> KW_SPHERE_SWEEP "sphere_sweep"
-%token <keyword> KW_SPHERICAL "spherical"
-%token <keyword> KW_SPIRAL1 "spiral1"
-%token <keyword> KW_SPIRAL2 "spiral2"
-%token <keyword> KW_SPLINE "spline"
-%token <keyword> KW_SPLIT_UNION "split_union"
-%token <keyword> KW_SPOTLIGHT "spotlight"
-%token <keyword> KW_SPOTTED "spotted"
-%token <keyword> KW_SQR "sqr"
-%token <keyword> KW_SQRT "sqrt"
-%token <keyword> KW_SQUARE "square"
-%token <keyword> KW_SRGB "srgb"
-%token <keyword> KW_SRGBF "srgbf"
-%token <keyword> KW_SRGBFT "srgbft"
-%token <keyword> KW_SRGBT "srgbt"
-%token <keyword> KW_STATISTICS "statistics"
-%token <keyword> KW_STEPS "steps"
-%token <keyword> KW_STR "str"
-%token <keyword> KW_STRCMP "strcmp"
-%token <keyword> KW_STRENGTH "strength"
-%token <keyword> KW_STRLEN "strlen"
-%token <keyword> KW_STRLWR "strlwr"
-%token <keyword> KW_STRUPR "strupr"
-%token <keyword> KW_STURM "sturm"
-%token <keyword> KW_SUBSTR "substr"
-%token <keyword> KW_SUBSURFACE "subsurface"
-%token <keyword> KW_SUM "sum"
-%token <keyword> KW_SUPERELLIPSOID "superellipsoid"
-%token <keyword> KW_SWITCH "switch"
-%token <keyword> KW_SYS "sys"
-%token <keyword> KW_T "t"
-%token <keyword> KW_TAN "tan"
-%token <keyword> KW_TANH "tanh"
-%token <keyword> KW_TARGET "target"
-%token <keyword> KW_TEXT "text"
-%token <keyword> KW_TEXTURE "texture"
-%token <keyword> KW_TEXTURE_LIST "texture_list"
-%token <keyword> KW_TEXTURE_MAP "texture_map"
-%token <keyword> KW_TGA "tga"
-%token <keyword> KW_THICKNESS "thickness"
-%token <keyword> KW_THRESHOLD "threshold"
-%token <keyword> KW_TIFF "tiff"
-%token <keyword> KW_TIGHTNESS "tightness"
-%token <keyword> KW_TILE2 "tile2"
-%token <keyword> KW_TILES "tiles"
-%token <keyword> KW_TILING "tiling"
-%token <keyword> KW_TOLERANCE "tolerance"
-%token <keyword> KW_TOROIDAL "toroidal"
-%token <keyword> KW_TORUS "torus"
-%token <keyword> KW_TRACE "trace"
-%token <keyword> KW_TRANSFORM "transform"
-%token <keyword> KW_TRANSLATE "translate"
-%token <keyword> KW_TRANSLUCENCY "translucency"
-%token <keyword> KW_TRANSMIT "transmit"
-%token <keyword> KW_TRIANGLE "triangle"
-%token <keyword> KW_TRIANGLE_WAVE "triangle_wave"
-%token <keyword> KW_TRIANGULAR "triangular"
-%token <keyword> KW_TRUE "true"
-%token <keyword> KW_TTF "ttf"
-%token <keyword> KW_TURB_DEPTH "turb_depth"
-%token <keyword> KW_TURBULENCE "turbulence"
-%token <keyword> KW_TYPE "type"
-%token <keyword> KW_U "u"
-%token <keyword> KW_U_STEPS "u_steps"
-%token <keyword> KW_UINT16BE "uint16be"
-%token <keyword> KW_UINT16LE "uint16le"
-%token <keyword> KW_UINT8 "uint8"
-%token <keyword> KW_ULTRA_WIDE_ANGLE "ultra_wide_angle"
-%token <keyword> KW_UNDEF "undef"
-%token <keyword> KW_UNION "union"
-%token <keyword> KW_UP "up"
-%token <keyword> KW_USE_ALPHA "use_alpha"
-%token <keyword> KW_USE_COLOR "use_color"
-%token <keyword> KW_USE_INDEX "use_index"
-%token <keyword> KW_UTF8 "utf8"
-%token <keyword> KW_UV_INDICES "uv_indices"
-%token <keyword> KW_UV_MAPPING "uv_mapping"
-%token <keyword> KW_UV_VECTORS "uv_vectors"
-%token <keyword> KW_V "v"
-%token <keyword> KW_V_STEPS "v_steps"
-%token <keyword> KW_VAL "val"
-%token <keyword> KW_VARIANCE "variance"
-%token <keyword> KW_VAXIS_ROTATE "vaxis_rotate"
-%token <keyword> KW_VCROSS "vcross"
-%token <keyword> KW_VDOT "vdot"
-%token <keyword> KW_VERSION "version"
-%token <keyword> KW_VERTEX_VECTORS "vertex_vectors"
-%token <keyword> KW_VLENGTH "vlength"
-%token <keyword> KW_VNORMALIZE "vnormalize"
-%token <keyword> KW_VROTATE "vrotate"
-%token <keyword> KW_VSTR "vstr"
-%token <keyword> KW_VTURBULENCE "vturbulence"
-%token <keyword> KW_WARNING "warning"
-%token <keyword> KW_WARP "warp"
-%token <keyword> KW_WATER_LEVEL "water_level"
-%token <keyword> KW_WAVES "waves"
-%token <keyword> KW_WHILE "while"
-%token <keyword> KW_WIDTH "width"
-%token <keyword> KW_WOOD "wood"
-%token <keyword> KW_WRINKLES "wrinkles"
-%token <keyword> KW_WRITE "write"
-%token <keyword> KW_X "x"
-%token <keyword> KW_XYZ "xyz"
-%token <keyword> KW_Y "y"
-%token <keyword> KW_YES "yes"
-%token <keyword> KW_Z "z"
+/* The build puts a %token <keyword> KW_WORD "word" here for each line of keywords.def. */
+@KEYWORDS@
 
 /* Weakest first. See the head of the file. */
 %precedence ENDS
@@ -635,7 +143,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %type <keyword> selector float_function list_function extent_function axis
 %type <keyword> rgb_word part_word
 %type <real> float
-%type <start> one two three four sums vectors entry_values
+%type <start> one two three four sums entry_values
 %type <text> string string_function
 %type <colour> colour marked_colour worded_colour bare_colour colour_items colour_words
 %type <number> rgb rgb_or_black five
@@ -752,7 +260,6 @@ sums:
 	| sums sum %prec ENDS { args_push_number(p, $2, @2); $$ = $1; }
 	| sums ',' sum %prec ENDS { args_push_number(p, $3, @3); $$ = $1; }
 	;
-vectors: sums ;
 float: sum %prec ENDS { $$ = number_to_float(p, $1, @1); } ;
 
 /* ---------------------------------------------------------------- numbers: full level */
@@ -1097,7 +604,7 @@ scene_item:
 	| media
 	| background
 	| global_settings
-	| old_setting float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| old_setting float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	;
 old_setting: KW_MAX_TRACE_LEVEL | KW_MAX_INTERSECTIONS ;
 background:
@@ -1129,7 +636,7 @@ default_item:
 %type <list> modifiers objects csg_members clip_items object_photons importance_items;
 %type <list> blob_items isosurface_items parametric_items julia_items axes face_tail;
 %type <list> light_items light_photons group_items mesh2_items;
-%type <list> polynomial_items photon_axis;
+%type <list> polynomial_items precomputed;
 %type <node> mesh2_item polynomial_item;
 %type <body> shape_body shape_args shape_modified;
 %type <list> height_field_items;
@@ -1241,7 +748,7 @@ text_font:
 	;
 parameter:
 	  curve_word { $$ = node_new(p, $1, @$, @1); }
-	| parameter_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| parameter_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_UV_VECTORS four { $$ = node_fit(p, $1, @$, @1, $2, "2222"); }
 	;
 curve_word:
@@ -1264,7 +771,7 @@ blob_items:
 	| blob_items blob_item { $$ = list_add($1, $2); }
 	;
 blob_item:
-	  KW_THRESHOLD float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  KW_THRESHOLD float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_COMPONENT three { $$ = node_fit(p, $1, @$, @1, $2, "ffv"); }
 	| KW_SPHERE '{' two oc strength modifiers '}'
 		{ $$ = node_fit(p, $1, @$, @1, $3, "vff"); $$->children = $6.first; }
@@ -1281,7 +788,7 @@ isosurface_items:
 	;
 isosurface_item:
 	  contained
-	| iso_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| iso_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_EVALUATE three { $$ = node_fit(p, $1, @$, @1, $2, "fff"); }
 	| KW_ALL_INTERSECTIONS { $$ = node_new(p, $1, @$, @1); }
 	| KW_OPEN { $$ = node_new(p, $1, @$, @1); }
@@ -1299,17 +806,17 @@ parametric_items:
 	;
 parametric_item:
 	  contained
-	| parametric_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| parametric_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_PRECOMPUTE float axes
-		{ $$ = node_number(p, $1, @$, @1, number_float($2), @2); $$->children = $3.first; }
+		{ $$ = node_float(p, $1, @$, @1, $2, @2); $$->children = $3.first; }
 	;
 parametric_float: KW_ACCURACY | KW_MAX_GRADIENT ;
 axes:
 	  %empty { $$ = list_none(); }
-	| axes photon_axis { $$ = list_join($1, $2); }
-	| axes ',' photon_axis { $$ = list_join($1, $3); }
+	| axes precomputed { $$ = list_join($1, $2); }
+	| axes ',' precomputed { $$ = list_join($1, $3); }
 	;
-photon_axis:
+precomputed:
 	  KW_X { $$ = list_one(node_new(p, $1, @$, @1)); }
 	| KW_Y { $$ = list_one(node_new(p, $1, @$, @1)); }
 	| KW_Z { $$ = list_one(node_new(p, $1, @$, @1)); }
@@ -1319,8 +826,8 @@ julia_items:
 	| julia_items julia_item { $$ = list_add($1, $2); }
 	;
 julia_item:
-	  KW_MAX_ITERATION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
-	| KW_PRECISION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  KW_MAX_ITERATION float { $$ = node_float(p, $1, @$, @1, $2, @2); }
+	| KW_PRECISION float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_SLICE two { $$ = node_fit(p, $1, @$, @1, $2, "4f"); }
 	| KW_PWR '(' two ')' { $$ = node_fit(p, $1, @$, @1, $3, "ff"); }
 	| julia_word { $$ = node_new(p, $1, @$, @1); }
@@ -1334,10 +841,10 @@ julia_word:
 mesh_items:
 	  %empty { $$ = mesh_items_new(p); }
 	| mesh_items mesh_item { $$ = mesh_add($1, $2); }
-	| mesh_items face_word '{' vectors '}' { $$ = mesh_add_face(p, $1, $2, @2, @5, $4); }
+	| mesh_items face_word '{' sums '}' { $$ = mesh_add_face(p, $1, $2, @2, @5, $4); }
 	;
 mesh_item:
-	  face_word '{' vectors face_tail '}' { $$ = mesh_face(p, $1, @$, @1, $3, $4); }
+	  face_word '{' sums face_tail '}' { $$ = mesh_face(p, $1, @$, @1, $3, $4); }
 	| KW_INSIDE_VECTOR one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	;
 face_word: KW_TRIANGLE | KW_SMOOTH_TRIANGLE ;
@@ -1373,7 +880,7 @@ mesh2_item:
 		{ $<doubles>$ = doubles_new(p, $3, 3); MORE(doubles_face_rows, $<doubles>$); } face_list '}'
 		{ $$ = mesh2_list(p, $1, @$, @1, $3, @3, $6, 3); }
 	| KW_TEXTURE_LIST '{' float oc texture_items '}'
-		{ $$ = node_number(p, $1, @$, @1, number_float($3), @3); $$->children = $5.first; }
+		{ $$ = node_float(p, $1, @$, @1, $3, @3); $$->children = $5.first; }
 	| KW_INSIDE_VECTOR one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	;
 mesh2_word: KW_VERTEX_VECTORS | KW_NORMAL_VECTORS ;
@@ -1407,7 +914,7 @@ light_items:
 light_item:
 	  color_map
 	| light_flag { $$ = node_new(p, $1, @$, @1); }
-	| light_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| light_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| light_switch bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
 	| KW_POINT_AT one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	| KW_AREA_LIGHT four { $$ = node_fit(p, $1, @$, @1, $2, "vvff"); }
@@ -1429,8 +936,8 @@ light_photons:
 	| light_photons light_photon { $$ = list_add($1, $2); }
 	;
 light_photon:
-	  KW_REFRACTION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
-	| KW_REFLECTION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  KW_REFRACTION float { $$ = node_float(p, $1, @$, @1, $2, @2); }
+	| KW_REFLECTION float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_AREA_LIGHT { $$ = node_new(p, $1, @$, @1); }
 	;
 group_items:
@@ -1462,7 +969,7 @@ modifier:
 	| clip_word '{' clip_items '}' { $$ = node_block(p, $1, @$, @1, $3); }
 	| flag_word { $$ = node_new(p, $1, @$, @1); }
 	| switch_word bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
-	| KW_SPLIT_UNION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| KW_SPLIT_UNION float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_PHOTONS '{' object_photons '}' { $$ = node_block(p, $1, @$, @1, $3); }
 	| importance
 	| marked_colour %prec ENDS { $$ = old_colour(p, $1, @$); }
@@ -1490,14 +997,14 @@ object_photon:
 	  KW_TARGET bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
 	| KW_PASS_THROUGH bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
 	| KW_COLLECT bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
-	| KW_REFRACTION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
-	| KW_REFLECTION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| KW_REFRACTION float { $$ = node_float(p, $1, @$, @1, $2, @2); }
+	| KW_REFLECTION float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	;
 importance: KW_RADIOSITY '{' importance_items '}' { $$ = node_block(p, $1, @$, @1, $3); } ;
 importance_items:
 	  %empty { $$ = list_none(); }
 	| importance_items KW_IMPORTANCE float
-		{ $$ = list_add($1, node_number(p, $2, @2, @2, number_float($3), @3)); }
+		{ $$ = list_add($1, node_float(p, $2, @2, @2, $3, @3)); }
 	;
 
 /* ---------------------------------------------------------------- textures */
@@ -1505,23 +1012,22 @@ importance_items:
 %type <node> texture pigment normal density finish;
 %type <node> texture_item normal_special density_special pattern image;
 %type <node> tiles material_map normal_pattern bitmap_item image_option modifier_item slope_item;
-%type <list> texture_body texture_items_plain texture_tail textures tail_items;
+%type <list> texture_body texture_items_plain texture_tail textures;
 %type <list> pigment_body pigment_entry normal_body density_body density_entry pattern_body;
 %type <list> pigment_first pigment_entry_first pigment_ref density_ref density_first;
 %type <list> density_entry_first pattern_modifiers image_options bitmap_options slope_items amount;
 %type <node> pigment_special pigment_list_item;
-%type <list> pigment_list normal_list texture_list density_list texture_modifiers;
-%type <node> tail_item;
+%type <list> pigment_list normal_list texture_list density_list;
 %type <keyword> plain_pattern float_pattern list_word image_type pattern_float;
 %type <keyword> pattern_vector pattern_flag bitmap_flag bitmap_float bitmap_pair share_word;
 
 texture: KW_TEXTURE '{' texture_body '}' { $$ = node_block(p, $1, @$, @1, $3); } ;
 texture_body:
 	  texture_items_plain
-	| pattern texture_modifiers { $$ = list_join(list_one($1), $2); }
-	| list_word texture_list texture_modifiers
+	| pattern pattern_modifiers { $$ = list_join(list_one($1), $2); }
+	| list_word texture_list pattern_modifiers
 		{ $$ = list_join(list_one(node_block(p, $1, @1, @1, $2)), $3); }
-	| KW_OBJECT '{' object transformations texture_list '}' texture_modifiers
+	| KW_OBJECT '{' object transformations texture_list '}' pattern_modifiers
 		{ $$ = list_join(list_one(node_block(p, $1, @$, @1,
 			list_join(list_join(list_one($3), $4), $5))), $7); }
 	| KW_UV_MAPPING texture_body
@@ -1549,7 +1055,6 @@ texture_tail:
 	| texture_tail transformation { $$ = list_add($1, $2); }
 	| texture_tail KW_NO_BUMP_SCALE { $$ = list_add($1, node_new(p, $2, @2, @2)); }
 	;
-texture_modifiers: pattern_modifiers ;
 tiles: KW_TILES '{' textures KW_TILE2 textures '}'
 		{ $$ = node_block(p, $1, @$, @1,
 			list_add($3, node_block(p, $4, @4, @4, $5))); }
@@ -1558,14 +1063,9 @@ textures:
 	  %empty { $$ = list_none(); }
 	| textures texture { $$ = list_add($1, $2); }
 	;
-material_map: KW_MATERIAL_MAP '{' image bitmap_options tail_items '}'
+material_map: KW_MATERIAL_MAP '{' image bitmap_options textures '}'
 		{ $$ = node_block(p, $1, @$, @1, list_join(list_join(list_one($3), $4), $5)); }
 	;
-tail_items:
-	  %empty { $$ = list_none(); }
-	| tail_items tail_item { $$ = list_add($1, $2); }
-	;
-tail_item: texture ;
 
 pigment: KW_PIGMENT '{' pigment_body '}' { $$ = node_block(p, $1, @$, @1, $3); } ;
 pigment_body:
@@ -1628,8 +1128,8 @@ normal_body:
 	;
 amount:
 	  %empty { $$ = list_none(); }
-	| float { $$ = list_one(node_number(p, K_BUMP_SIZE, @1, @1, number_float($1), @1)); }
-	| ',' float { $$ = list_one(node_number(p, K_BUMP_SIZE, @2, @2, number_float($2), @2)); }
+	| float { $$ = list_one(node_float(p, K_BUMP_SIZE, @1, @1, $1, @1)); }
+	| ',' float { $$ = list_one(node_float(p, K_BUMP_SIZE, @2, @2, $2, @2)); }
 	;
 normal_pattern:
 	  pattern
@@ -1706,11 +1206,11 @@ pattern_body:
 /* Patterns that every kind of block has. */
 pattern:
 	  plain_pattern { $$ = node_new(p, $1, @$, @1); }
-	| float_pattern float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| float_pattern float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_GRADIENT one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	| KW_JULIA two { $$ = node_fit(p, $1, @$, @1, $2, "2f"); }
 	| KW_MAGNET float KW_MANDEL float { $$ = magnet_node(p, @$, @1, $2, @2,
-		node_number(p, $3, @3, @3, number_float($4), @4)); }
+		node_float(p, $3, @3, @3, $4, @4)); }
 	| KW_MAGNET float KW_JULIA two { $$ = magnet_node(p, @$, @1, $2, @2,
 		node_fit(p, $3, @3, @3, $4, "2f")); }
 	| KW_SLOPE one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
@@ -1757,7 +1257,7 @@ image_options:
 	| image_options image_option { $$ = list_add($1, $2); }
 	;
 image_option:
-	  KW_GAMMA float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  KW_GAMMA float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_GAMMA KW_SRGB { $$ = node_new(p, $1, @$, @1); }
 	| KW_PREMULTIPLIED bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
 	;
@@ -1767,10 +1267,10 @@ bitmap_options:
 	;
 bitmap_item:
 	  bitmap_flag { $$ = node_new(p, $1, @$, @1); }
-	| bitmap_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| bitmap_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| bitmap_pair one { $$ = node_fit(p, $1, @$, @1, $2, "2"); }
 	| share_word KW_ALL float
-		{ $$ = node_number(p, $1, @$, @1, number_float($3), @3);
+		{ $$ = node_float(p, $1, @$, @1, $3, @3);
 		  $$->children = node_new(p, $2, @2, @2); }
 	| share_word two { $$ = node_fit(p, $1, @$, @1, $2, "ff"); }
 	;
@@ -1786,7 +1286,7 @@ pattern_modifiers:
 modifier_item:
 	  transformation
 	| pattern_vector one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
-	| pattern_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| pattern_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| pattern_flag { $$ = node_new(p, $1, @$, @1); }
 	| KW_POLY_WAVE bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
 	| KW_EXTERIOR one { $$ = node_fit(p, $1, @$, @1, $2, "f"); }
@@ -1836,7 +1336,7 @@ warp_items:
 	;
 warp_item:
 	  warp_vector one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
-	| warp_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| warp_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_INVERSE { $$ = node_new(p, $1, @$, @1); }
 	;
 warp_vector: KW_OFFSET | KW_FLIP | KW_REPEAT | KW_TURBULENCE | KW_ORIENTATION ;
@@ -1948,7 +1448,7 @@ finish_items:
 	;
 finish_item:
 	  finish_rgb rgb_or_black { $$ = node_number(p, $1, @$, @1, $2, @2); }
-	| finish_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| finish_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| finish_albedo albedo one
 		{ $$ = node_fit(p, $1, @$, @1, $3, "f"); $$->children = $2.first; }
 	| KW_DIFFUSE albedo one { $$ = node_fit(p, $1, @$, @1, $3, "f"); $$->children = $2.first; }
@@ -1983,15 +1483,15 @@ reflection_items:
 reflection_item:
 	  KW_FRESNEL bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
 	| KW_METALLIC bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
-	| KW_FALLOFF float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
-	| KW_EXPONENT float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| KW_FALLOFF float { $$ = node_float(p, $1, @$, @1, $2, @2); }
+	| KW_EXPONENT float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	;
 irid_items:
 	  %empty { $$ = list_none(); }
 	| irid_items irid_item { $$ = list_add($1, $2); }
 	;
 irid_item:
-	  KW_THICKNESS float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  KW_THICKNESS float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_TURBULENCE one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	;
 subsurface_items:
@@ -2017,11 +1517,11 @@ camera_items:
 	;
 camera_item:
 	  camera_word { $$ = node_new(p, $1, @$, @1); }
-	| KW_CYLINDER float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| KW_CYLINDER float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_MESH_CAMERA '{' sums mesh_camera_items '}'
 		{ $$ = node_fit(p, $1, @$, @1, $3, "fff?"); $$->children = $4.first; }
 	| camera_vector one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
-	| camera_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| camera_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_ANGLE { $$ = node_new(p, $1, @$, @1); }
 	| KW_ANGLE sums { $$ = node_fit(p, $1, @$, @1, $2, "ff?"); }
 	| KW_BLUR_SAMPLES sums { $$ = node_fit(p, $1, @$, @1, $2, "ff?"); }
@@ -2058,7 +1558,7 @@ fog_items:
 	| fog_items fog_item { $$ = list_add($1, $2); }
 	;
 fog_item:
-	  fog_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  fog_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_TURBULENCE one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	| KW_UP one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	| colour %prec ENDS { $$ = fog_colour(p, $1, @1); }
@@ -2077,7 +1577,7 @@ rainbow_items:
 	| rainbow_items rainbow_item { $$ = list_add($1, $2); }
 	;
 rainbow_item:
-	  rainbow_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  rainbow_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_DIRECTION one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	| KW_UP one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	| color_map
@@ -2103,7 +1603,7 @@ media_items:
 	| media_items media_item { $$ = list_add($1, $2); }
 	;
 media_item:
-	  media_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  media_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_SAMPLES sums { $$ = node_fit(p, $1, @$, @1, $2, "ff?"); }
 	| media_rgb rgb_or_black { $$ = node_number(p, $1, @$, @1, $2, @2); }
 	| KW_COLLECT bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
@@ -2123,8 +1623,8 @@ scatter_items:
 	| scatter_items scatter_item { $$ = list_add($1, $2); }
 	;
 scatter_item:
-	  KW_ECCENTRICITY float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
-	| KW_EXTINCTION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  KW_ECCENTRICITY float { $$ = node_float(p, $1, @$, @1, $2, @2); }
+	| KW_EXTINCTION float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	;
 interior: KW_INTERIOR '{' interior_items '}' { $$ = node_block(p, $1, @$, @1, $3); } ;
 interior_items:
@@ -2133,7 +1633,7 @@ interior_items:
 	| interior_items interior_item { $$ = list_add($1, $2); }
 	;
 interior_item:
-	  interior_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  interior_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_FADE_COLOR rgb { $$ = node_number(p, $1, @$, @1, $2, @2); }
 	| media
 	;
@@ -2167,11 +1667,11 @@ settings:
 	;
 setting:
 	  KW_ASSUMED_GAMMA float
-		{ $$ = node_number(p, $1, @$, @1, number_float($2), @2); set_gamma(p, (float)$2, @2); }
+		{ $$ = node_float(p, $1, @$, @1, $2, @2); set_gamma(p, (float)$2, @2); }
 	| KW_ASSUMED_GAMMA KW_SRGB { $$ = node_new(p, $1, @$, @1); set_gamma(p, -1, @2); }
 	| KW_NOISE_GENERATOR float
-		{ $$ = node_number(p, $1, @$, @1, number_float($2), @2); set_noise(p, $2, @2); }
-	| setting_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+		{ $$ = node_float(p, $1, @$, @1, $2, @2); set_noise(p, $2, @2); }
+	| setting_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| setting_rgb rgb { $$ = node_number(p, $1, @$, @1, $2, @2); }
 	| KW_CHARSET charset { $$ = node_block(p, $1, @$, @1, list_one($2)); set_charset(p, $2); }
 	| KW_HF_GRAY_16 bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
@@ -2200,7 +1700,7 @@ radiosity_settings:
 radiosity_setting:
 	  KW_COUNT sums { $$ = node_fit(p, $1, @$, @1, $2, "ff?"); }
 	| KW_NEAREST_COUNT sums { $$ = node_fit(p, $1, @$, @1, $2, "ff?"); }
-	| radiosity_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| radiosity_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| file_word string { $$ = node_string(p, $1, @$, @1, $2.raw, @2); }
 	;
 radiosity_float:
@@ -2214,7 +1714,7 @@ photon_settings:
 	| photon_settings photon_setting { $$ = list_add($1, $2); }
 	;
 photon_setting:
-	  photon_float float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	  photon_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_GATHER two { $$ = node_fit(p, $1, @$, @1, $2, "ff"); }
 	| KW_EXPAND_THRESHOLDS two { $$ = node_fit(p, $1, @$, @1, $2, "ff"); }
 	| KW_RADIUS { $$ = node_new(p, $1, @$, @1); }
@@ -2230,8 +1730,7 @@ photon_float:
 
 const char *token_words(int token)
 {
-	const char *words = yysymbol_name(YYTRANSLATE(token));
-	return words;
+	return yysymbol_name(YYTRANSLATE(token));
 }
 
 bool wanted_token(const struct wanted *wanted, int token)
