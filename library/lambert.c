@@ -129,119 +129,149 @@ static void add_tree_statistics(struct lambert_scene_stats *stats, const struct 
 	stats->accel_bytes = a.bytes;
 }
 
-/* Reading on its way from text to scene. */
+/* A scene on its way from text to something to render. */
 struct reading {
+	const char *path;
 	const struct lambert_scene_options *options;
+	struct scene *scene; /* NULL after an error */
+	struct lambert_scene_stats stats;
+	FILE *out; /* where a tree is printed */
+	bool printed;
+	/* Gone when the text is read. */
 	struct diag *diag;
 	struct arena *arena, *passing; /* for the text and its tree; for the statements at hand */
+	struct parse_options files;
+	struct lower_options lower_options;
 	struct lowering lowering;
-	double lower_cpu;
 };
+
+static void reading_begin(struct reading *r)
+{
+	r->diag = diag_create(forward_message, (void *)(uintptr_t)r->options);
+	r->arena = arena_create(1 << 20);
+	r->passing = arena_create(2 * PASSING_BYTES);
+	r->files = parse_options_for(r->path, r->options, r->arena);
+}
+
+static void reading_end(struct reading *r)
+{
+	arena_destroy(r->passing);
+	arena_destroy(r->arena);
+	diag_destroy(r->diag);
+}
+
+/* The renderer answers the questions of the language while the text is read. */
+static const struct ast *parse(struct reading *r)
+{
+	struct hooks *hooks = hooks_create(r->diag, &r->files);
+	r->files.hooks = hooks_table(hooks);
+	const struct ast *ast = parse_scene(r->path, NULL, 0, &r->files, r->diag, r->arena);
+	hooks_destroy(hooks);
+	return ast;
+}
+
+static void lowering_begin(struct reading *r)
+{
+	const struct lambert_scene_options *o = r->options;
+	r->lower_options = (struct lower_options){
+		.width = o->width,
+		.height = o->height,
+		.quality = o->quality,
+		.output_alpha = o->output_alpha,
+		.working_version = (int)o->version,
+		.files = &r->files,
+	};
+	r->scene = scene_create();
+	lowering_init(&r->lowering, &r->lower_options, r->diag, r->scene);
+}
+
+/* The end of lowering; without a tree there was an error. */
+static void lowering_end(struct reading *r, const struct ast *ast)
+{
+	const bool fine = ast && lower_end(&r->lowering, &ast->final);
+	lowering_release(&r->lowering);
+	r->stats.tokens = ast ? ast->token_count : 0;
+	r->stats.objects = r->scene->object_count;
+	r->stats.lights = r->scene->light_count;
+	if (fine)
+		return;
+	scene_destroy(r->scene);
+	r->scene = NULL;
+}
 
 static void lower(void *user, const struct node *statements)
 {
 	struct reading *r = user;
 	const double start = cpu_seconds();
 	lower_statements(&r->lowering, statements);
-	r->lower_cpu += cpu_seconds() - start;
+	r->stats.lower_cpu += cpu_seconds() - start;
 }
 
-/* Text to tree; where there is much of it, statements are lowered on the way. The renderer answers
- * the questions of the language while the text is read. */
-static const struct ast *parse(const char *path, struct parse_options *files, struct reading *r)
+/* Text to tree to scene; where there is much of it, statements are lowered while the text is read. */
+static void read_scene(void *user)
 {
-	struct hooks *hooks = hooks_create(r->diag, files);
-	files->hooks = hooks_table(hooks);
-	const struct ast *ast = parse_scene(path, NULL, 0, files, r->diag, r->arena);
-	hooks_destroy(hooks);
-	return ast;
-}
-
-/* Text to scene; false after an error. */
-static bool read_scene(
-	const char *path, struct reading *r, struct scene *scene, struct lambert_scene_stats *stats)
-{
+	struct reading *r = user;
 	const double start = cpu_seconds();
-	const struct lambert_scene_options *o = r->options;
-	struct parse_options files = parse_options_for(path, o, r->arena);
-	const struct lower_options lower_options = {
-		.width = o->width,
-		.height = o->height,
-		.quality = o->quality,
-		.output_alpha = o->output_alpha,
-		.working_version = (int)o->version,
-		.files = &files,
-	};
-	files.statements = lower;
-	files.statements_user = r;
-	files.passing = r->passing;
-	lowering_init(&r->lowering, &lower_options, r->diag, scene);
-	const struct ast *ast = parse(path, &files, r);
+	reading_begin(r);
+	r->files.statements = lower;
+	r->files.statements_user = r;
+	r->files.passing = r->passing;
+	lowering_begin(r);
+	const struct ast *ast = parse(r);
 	if (ast)
 		lower(r, ast->statements);
-	const bool fine = ast && lower_end(&r->lowering, &ast->final);
-	lowering_release(&r->lowering);
-	stats->tokens = ast ? ast->token_count : 0;
-	stats->objects = scene->object_count;
-	stats->lights = scene->light_count;
-	stats->parse_cpu = cpu_seconds() - start - r->lower_cpu;
-	stats->lower_cpu = r->lower_cpu;
-	return fine;
+	lowering_end(r, ast);
+	reading_end(r);
+	r->stats.parse_cpu = cpu_seconds() - start - r->stats.lower_cpu;
+}
+
+static void print_tree(void *user)
+{
+	struct reading *r = user;
+	reading_begin(r);
+	const struct ast *ast = parse(r);
+	if (ast)
+		ast_print_json(ast, r->diag, r->out);
+	r->printed = ast != NULL;
+	reading_end(r);
 }
 
 /* A scene may nest as deep as the parser allows, and what reads it recurses as deep. */
-#define DEEP_STACK ((size_t)512 << 20)
-
-struct load_job {
-	const char *path;
-	const struct lambert_scene_options *options;
-	struct scene *scene;
-	struct lambert_scene_stats stats;
-	FILE *out;
-	bool fine;
-};
-
-/* What reading needs besides the scene is gone before the tree of boxes is built. */
-static void read_main(void *user)
+static void with_deep_stack(void (*run)(void *), struct reading *r)
 {
-	struct load_job *job = user;
-	struct reading r = { .options = job->options,
-		.diag = diag_create(forward_message, (void *)(uintptr_t)job->options),
-		.arena = arena_create(1 << 20),
-		.passing = arena_create(2 * PASSING_BYTES) };
-	job->scene = scene_create();
-	if (!read_scene(job->path, &r, job->scene, &job->stats)) {
-		scene_destroy(job->scene);
-		job->scene = NULL;
-	}
-	arena_destroy(r.passing);
-	arena_destroy(r.arena);
-	diag_destroy(r.diag);
+	parallel_with_stack((size_t)512 << 20, run, r);
 }
 
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
 {
-	struct load_job job = { .path = path, .options = o };
-	parallel_with_stack(DEEP_STACK, read_main, &job);
-	if (!job.scene)
+	struct reading r = { .path = path, .options = o };
+	with_deep_stack(read_scene, &r);
+	if (!r.scene)
 		return NULL;
 	const double start = cpu_seconds();
-	scene_commit(job.scene, thread_count(o->threads));
-	job.stats.build_cpu = cpu_seconds() - start;
-	add_tree_statistics(&job.stats, job.scene);
+	scene_commit(r.scene, thread_count(o->threads));
+	r.stats.build_cpu = cpu_seconds() - start;
+	add_tree_statistics(&r.stats, r.scene);
 	lambert_scene *handle = memory_alloc(1, sizeof *handle);
-	*handle = (lambert_scene){ job.scene, o->width, o->height, job.stats };
+	*handle = (lambert_scene){ r.scene, o->width, o->height, r.stats };
 	return handle;
 }
 
 bool lambert_scene_check(
 	const char *path, const struct lambert_scene_options *o, struct lambert_scene_stats *stats)
 {
-	struct load_job job = { .path = path, .options = o };
-	parallel_with_stack(DEEP_STACK, read_main, &job);
-	*stats = job.stats;
-	scene_destroy(job.scene);
-	return job.scene != NULL;
+	struct reading r = { .path = path, .options = o };
+	with_deep_stack(read_scene, &r);
+	*stats = r.stats;
+	scene_destroy(r.scene);
+	return r.scene != NULL;
+}
+
+bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
+{
+	struct reading r = { .path = path, .options = o, .out = out };
+	with_deep_stack(print_tree, &r);
+	return r.printed;
 }
 
 void lambert_scene_destroy(lambert_scene *s)
@@ -250,33 +280,6 @@ void lambert_scene_destroy(lambert_scene *s)
 		return;
 	scene_destroy(s->scene);
 	free(s);
-}
-
-static bool print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
-{
-	struct reading r = { .options = o,
-		.diag = diag_create(forward_message, (void *)(uintptr_t)o),
-		.arena = arena_create(1 << 20) };
-	struct parse_options files = parse_options_for(path, o, r.arena);
-	const struct ast *ast = parse(path, &files, &r);
-	if (ast)
-		ast_print_json(ast, r.diag, out);
-	arena_destroy(r.arena);
-	diag_destroy(r.diag);
-	return ast != NULL;
-}
-
-static void print_main(void *user)
-{
-	struct load_job *job = user;
-	job->fine = print_ast(job->path, job->options, job->out);
-}
-
-bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
-{
-	struct load_job job = { .path = path, .options = o, .out = out };
-	parallel_with_stack(DEEP_STACK, print_main, &job);
-	return job.fine;
 }
 
 void lambert_scene_statistics(const lambert_scene *s, struct lambert_scene_stats *stats)

@@ -291,6 +291,10 @@ double text_val(const char *);
 
 /* -- builtin.c ---------------------------------------------------------------------------- */
 
+/* Whether a call has a right number of arguments; if not an error is reported. */
+bool arguments_fit(
+	struct parser *, const char *name, size_t found, size_t least, size_t most, span);
+bool builtin_fits(struct parser *, enum keyword, size_t found, span);
 /* A float function of one argument. */
 struct number builtin_float(struct parser *, enum keyword, struct number, span);
 /* Functions whose arguments are on the stack. */

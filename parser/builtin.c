@@ -15,6 +15,55 @@
 #define PI	  3.14159265358979323846
 #define TOLERANCE 1e-10 /* atan2 of two values this small is an error, as the language defines */
 
+/* -- Numbers of arguments ----------------------------------------------------------------- */
+
+bool arguments_fit(
+	struct parser *p, const char *name, size_t found, size_t least, size_t most, span where)
+{
+	if (found >= least && found <= most)
+		return true;
+	const size_t wanted = found < least ? least : most;
+	parser_error(p, where, "%s needs %zu argument%s, found %zu", name, wanted,
+		wanted == 1 ? "" : "s", found);
+	return false;
+}
+
+bool builtin_fits(struct parser *p, enum keyword word, size_t found, span where)
+{
+	size_t least = 1, most = 1;
+	switch (word) {
+	case K_ATAN2:
+	case K_DIV:
+	case K_MOD:
+	case K_POW:
+	case K_VCROSS:
+	case K_VDOT:
+	case K_VROTATE:
+		least = most = 2;
+		break;
+	case K_VAXIS_ROTATE:
+		least = most = 3;
+		break;
+	case K_VTURBULENCE:
+		least = most = 4;
+		break;
+	case K_SELECT:
+		least = 3;
+		most = 4;
+		break;
+	case K_BITWISE_AND:
+	case K_BITWISE_OR:
+	case K_BITWISE_XOR:
+	case K_MAX:
+	case K_MIN:
+		most = SIZE_MAX;
+		break;
+	default:
+		break;
+	}
+	return arguments_fit(p, keyword_name(word), found, least, most, where);
+}
+
 /* -- Random streams ----------------------------------------------------------------------- */
 
 static double seed(struct parser *p, double value)
@@ -197,39 +246,6 @@ static struct number turbulence(const struct call *c)
 	return number_vector(r[0], r[1], r[2]);
 }
 
-/* The number of arguments: least and most. */
-static bool arity(const struct call *c, size_t *least, size_t *most)
-{
-	switch (c->word) {
-	case K_VLENGTH:
-	case K_VNORMALIZE:
-		*least = *most = 1;
-		break;
-	case K_SELECT:
-		*least = 3;
-		*most = 4;
-		break;
-	case K_VAXIS_ROTATE:
-		*least = *most = 3;
-		break;
-	case K_VTURBULENCE:
-		*least = *most = 4;
-		break;
-	case K_MAX:
-	case K_MIN:
-	case K_BITWISE_AND:
-	case K_BITWISE_OR:
-	case K_BITWISE_XOR:
-		*least = 1;
-		*most = SIZE_MAX;
-		break;
-	default:
-		*least = *most = 2;
-		break;
-	}
-	return c->count >= *least && c->count <= *most;
-}
-
 static vec3 rotate_about(vec3 v, vec3 axis, double degrees)
 {
 	const vec3 k = vec_scale(axis, 1 / sqrt(vec_dot(axis, axis)));
@@ -290,13 +306,9 @@ struct number builtin_list(struct parser *p, enum keyword word, size_t start, sp
 {
 	struct grammar *g = p->grammar;
 	const struct call c = { p, word, g->args + start, g->arg_count - start, where };
-	size_t least, most;
 	struct number result = number_float(0);
-	if (arity(&c, &least, &most))
+	if (builtin_fits(p, word, c.count, where))
 		result = evaluate(&c);
-	else
-		parser_error(p, where, "%s needs %zu argument%s, found %zu", keyword_name(word),
-			c.count < least ? least : most, least == 1 ? "" : "s", c.count);
 	g->arg_count = start;
 	return result;
 }
@@ -410,11 +422,8 @@ struct number builtin_call(struct parser *p, struct callee callee, size_t start,
 	const size_t count = g->arg_count - start;
 	double result[5] = { 0 };
 	unsigned terms = 1;
-	if (count != function->parameter_count) {
-		parser_error(p, where, "%s needs %u argument%s, found %zu", callee.name,
-			function->parameter_count, function->parameter_count == 1 ? "" : "s",
-			count);
-	} else {
+	if (arguments_fit(p, callee.name, count, function->parameter_count,
+		    function->parameter_count, where)) {
 		double *arguments = ARENA_ARRAY(p->arena, count + 1, double);
 		for (size_t i = 0; i < count; i++)
 			arguments[i] = number_to_float(

@@ -318,39 +318,15 @@ struct expr_list *expr_list_add(struct parser *p, struct expr_list *list, const 
 	return list;
 }
 
-static void builtin_arity(enum keyword word, size_t *least, size_t *most)
-{
-	*least = *most = 1;
-	switch (word) {
-	case K_ATAN2:
-	case K_POW:
-	case K_MOD:
-	case K_DIV:
-		*least = *most = 2;
-		break;
-	case K_MIN:
-	case K_MAX:
-		*least = 2;
-		*most = SIZE_MAX;
-		break;
-	case K_SELECT:
-		*least = 3;
-		*most = 4;
-		break;
-	default:
-		break;
-	}
-}
-
 const struct expr *expr_builtin(
 	struct parser *p, enum keyword word, const struct expr_list *list, span where)
 {
 	struct expr *e = make(p, EXPR_CALL, where);
-	size_t least, most;
-	builtin_arity(word, &least, &most);
-	if (list->count < least || list->count > most)
-		parser_error(p, where, "%s needs %zu argument%s, found %zu", keyword_name(word),
-			list->count < least ? least : most, least == 1 ? "" : "s", list->count);
+	const bool folds = word == K_MAX || word == K_MIN; /* of one value only outside functions */
+	if (!folds)
+		builtin_fits(p, word, list->count, where);
+	else
+		arguments_fit(p, keyword_name(word), list->count, 2, SIZE_MAX, where);
 	e->builtin = word;
 	set_operands(p, e, list->items, list->count);
 	return e;
@@ -376,10 +352,8 @@ const struct expr *expr_call(struct parser *p, struct callee callee, const struc
 {
 	const struct function *function = callee.function;
 	struct expr *e = make(p, EXPR_FUNCTION, where);
-	if (list->count != function->parameter_count)
-		parser_error(p, where, "%s needs %u argument%s, found %zu", callee.name,
-			function->parameter_count, function->parameter_count == 1 ? "" : "s",
-			list->count);
+	arguments_fit(p, callee.name, list->count, function->parameter_count,
+		function->parameter_count, where);
 	e->function = function;
 	e->component = (uint8_t)member_index(component);
 	if (component != K_NONE && e->component < 5 && e->component >= function_terms(function))

@@ -11,6 +11,7 @@
 
 #include "render/lower/looks.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 struct code {
@@ -610,7 +611,8 @@ static bool compile_internal(struct lowering *l, const struct function *f, struc
 			l->diag, f->span, "there is no built-in function number %d", f->internal);
 		return false;
 	}
-	p->parameters = 3 + p->internal->parameters;
+	assert(f->parameter_count == 3 + p->internal->parameters);
+	p->parameters = f->parameter_count;
 	return true;
 }
 
