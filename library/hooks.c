@@ -36,7 +36,8 @@ struct hooks {
 
 static const struct language_state language_at_first = { .version = 370, .version_set = true };
 
-struct hooks *hooks_create(struct diag *diag, const struct parse_options *files)
+struct hooks *hooks_create(
+	struct diag *diag, const struct parse_options *files, struct scene *rendered)
 {
 	struct hooks *h = memory_alloc(1, sizeof *h);
 	*h = (struct hooks){ .scene = scene_create(), .state = &language_at_first };
@@ -44,6 +45,8 @@ struct hooks *hooks_create(struct diag *diag, const struct parse_options *files)
 		(struct lower_options){ .width = 1, .height = 1, .quality = 9, .files = files };
 	lowering_init(&h->lowering, &h->options, diag, h->scene);
 	h->lowering.for_questions = true;
+	if (rendered)
+		h->lowering.rendered = rendered;
 	lowering_settle(&h->lowering, h->state);
 	return h;
 }

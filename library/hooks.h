@@ -11,8 +11,11 @@
 #include "parser/parser.h"
 
 struct hooks;
+struct scene;
 
-struct hooks *hooks_create(struct diag *, const struct parse_options *files);
+/* `rendered`: what is made of the scene, or NULL; the answers share with it what functions remember. */
+struct hooks *hooks_create(
+	struct diag *, const struct parse_options *files, struct scene *rendered);
 void hooks_destroy(struct hooks *);
 /* The table for parse_options.hooks; its user is the hooks. */
 struct render_hooks hooks_table(struct hooks *);

@@ -13,6 +13,7 @@
 #include "render/accel.h"
 #include "render/api.h"
 #include "render/film.h"
+#include "render/first_calls.h"
 #include "render/lower/lower.h"
 
 #include <stdlib.h>
@@ -163,7 +164,7 @@ static void reading_end(struct reading *r)
 /* The renderer answers the questions of the language while the text is read. */
 static const struct ast *parse(struct reading *r)
 {
-	struct hooks *hooks = hooks_create(r->diag, &r->files);
+	struct hooks *hooks = hooks_create(r->diag, &r->files, r->scene);
 	r->files.hooks = hooks_table(hooks);
 	const struct ast *ast = parse_scene(r->path, NULL, 0, &r->files, r->diag, r->arena);
 	hooks_destroy(hooks);
@@ -250,6 +251,7 @@ lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_o
 		return NULL;
 	const double start = cpu_seconds();
 	scene_commit(r.scene, thread_count(o->threads));
+	first_calls_make(r.scene, o->width, o->height);
 	r.stats.build_cpu = cpu_seconds() - start;
 	add_tree_statistics(&r.stats, r.scene);
 	lambert_scene *handle = memory_alloc(1, sizeof *handle);

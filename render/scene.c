@@ -30,6 +30,7 @@ void scene_destroy(struct scene *scene)
 	accel_destroy(scene->accel);
 	free(scene->objects);
 	free(scene->lights);
+	pointer_map_release(&scene->ridged_tables);
 	arena_destroy(scene->arena);
 }
 

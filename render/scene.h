@@ -8,6 +8,7 @@
 
 #include "base/arena.h"
 #include "base/colour.h"
+#include "base/pointer_map.h"
 #include "base/transform.h"
 #include "render/object.h"
 
@@ -104,6 +105,8 @@ struct scene {
 	const struct sky_sphere *sky_sphere; /* NULL: none */
 	colour background;
 	bool has_background;
+	struct pointer_map
+		ridged_tables; /* struct ridged_table by struct function; see first_calls.h */
 
 	/* made by scene_commit */
 	struct accel *accel;

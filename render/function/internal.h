@@ -7,9 +7,12 @@
 #ifndef LAMBERT_RENDER_FUNCTION_INTERNAL_H
 #define LAMBERT_RENDER_FUNCTION_INTERNAL_H
 
+struct ridged_table;
+
 /* What a built-in may look at besides its arguments. */
 struct function_world {
-	int noise_generator; /* 1 to 3: of the scene */
+	int noise_generator;	     /* 1 to 3: of the scene */
+	struct ridged_table *ridged; /* f_ridged_mf: what the calls of one declaration share */
 };
 
 typedef double internal_function(
@@ -21,7 +24,7 @@ struct internal_entry {
 	internal_function *call;
 };
 
-enum { INTERNAL_COUNT = 79 };
+enum { INTERNAL_RIDGED_MF = 59, INTERNAL_COUNT = 79 };
 
 /* The built-in with that number, or NULL. */
 const struct internal_entry *internal_find(int number);

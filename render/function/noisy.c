@@ -5,6 +5,7 @@
  */
 #include "render/function/internal.h"
 
+#include "render/function/ridged.h"
 #include "render/texture/noise.h"
 
 #include <math.h>
@@ -98,19 +99,33 @@ static double square_of(double v)
 	return v * v;
 }
 
+/* The weight of an octave, of that frequency; octave 0 is the second one. */
+static double ridged_weight(const struct ridged_table *t, int octave, double frequency)
+{
+	return octave < RIDGED_WEIGHTS ? t->weights[octave] : pow(frequency, -t->h);
+}
+
 double f_ridged_mf(double x, double y, double z, const double *p, const struct function_world *w)
 {
 	const double lacunarity = p[1], octaves = p[2], offset = p[3], gain = p[4];
 	const int generator = generator_of(p[5], w);
+	struct ridged_table own;
+	const struct ridged_table *table = w->ridged;
+	if (ridged_is_open(table)) {
+		ridged_settle(w->ridged, p[0], lacunarity);
+	} else if (table->state == RIDGED_UNSEEN) {
+		ridged_settle(&own, p[0], lacunarity);
+		table = &own;
+	}
 	vec3 q = vec(x, y, z);
 	double s = square_of(offset - fabs(signed_noise(q, generator)));
-	double result = s, frequency = lacunarity;
+	double result = s, frequency = table->lacunarity;
 	for (int i = 1; i < octaves; i++) {
 		q = vec_scale(q, lacunarity);
 		const double weight = fmin(1, fmax(0, s * gain));
 		s = square_of(offset - fabs(signed_noise(q, generator))) * weight;
-		result += s * pow(frequency, -p[0]);
-		frequency *= lacunarity;
+		result += s * ridged_weight(table, i - 1, frequency);
+		frequency *= table->lacunarity;
 	}
 	return result;
 }

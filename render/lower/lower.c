@@ -64,6 +64,7 @@ void lowering_init(struct lowering *l, const struct lower_options *options, stru
 	*l = (struct lowering){
 		.scene = scene,
 		.arena = scene->arena,
+		.rendered = scene,
 		.diag = diag,
 		.options = options,
 		.statement_states = arena_create(0),

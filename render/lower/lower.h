@@ -26,7 +26,8 @@ enum { FINISHES_KEPT = 8 };
 
 struct lowering {
 	struct scene *scene;
-	struct arena *arena; /* the scene's: what the scene is made of */
+	struct arena *arena;	/* the scene's: what the scene is made of */
+	struct scene *rendered; /* the scene of the picture; another one when for_questions */
 	/* Drafts and the states of looks: of the present statement, forgotten at its end; of what is
 	 * declared, which later statements use again. */
 	struct arena *statement_states, *declared_states;

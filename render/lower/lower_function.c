@@ -9,6 +9,7 @@
  */
 #include "render/lower/lower_function.h"
 
+#include "render/function/ridged.h"
 #include "render/lower/looks.h"
 
 #include <assert.h>
@@ -479,6 +480,16 @@ static void compile_builtin(struct code *c, const struct expr *e, unsigned to)
 	}
 }
 
+/* A call in the picture may be the one that fills the table of f_ridged_mf. */
+static void expect_ridged(struct code *c, const struct expr *call, struct ridged_table *table)
+{
+	double h, lacunarity;
+	const bool known = merged_constant(c, call->operands[3], &h) &&
+			   merged_constant(c, call->operands[4], &lacunarity);
+	if (!c->lowering->for_questions)
+		ridged_expect(table, known ? &h : NULL, known ? &lacunarity : NULL);
+}
+
 static void compile_call(struct code *c, const struct expr *e, unsigned to)
 {
 	const struct program *callee = lower_function(c->lowering, e->function);
@@ -486,6 +497,8 @@ static void compile_call(struct code *c, const struct expr *e, unsigned to)
 		fail(c, e->span, "the function cannot be called here");
 		return;
 	}
+	if (callee->world.ridged)
+		expect_ridged(c, e, callee->world.ridged);
 	const unsigned first = c->next;
 	for (uint32_t i = 0; i < e->operand_count; i++)
 		temporary(c, e->span);
@@ -603,6 +616,17 @@ static const struct pattern *pattern_of(struct lowering *l, const struct node *b
 	return pattern;
 }
 
+static struct ridged_table *ridged_table_of(struct lowering *l, const struct function *f)
+{
+	struct pointer_map *tables = &l->rendered->ridged_tables;
+	struct ridged_table *t = pointer_map_find(tables, f);
+	if (!t) {
+		t = ARENA_NEW(l->rendered->arena, struct ridged_table);
+		pointer_map_add(tables, f, t);
+	}
+	return t;
+}
+
 static bool compile_internal(struct lowering *l, const struct function *f, struct program *p)
 {
 	p->internal = internal_find(f->internal);
@@ -613,6 +637,8 @@ static bool compile_internal(struct lowering *l, const struct function *f, struc
 	}
 	assert(f->parameter_count == 3 + p->internal->parameters);
 	p->parameters = f->parameter_count;
+	if (f->internal == INTERNAL_RIDGED_MF)
+		p->world.ridged = ridged_table_of(l, f);
 	return true;
 }
 
