@@ -35,7 +35,7 @@ static const char BOLD[] = "\033[1m", PLAIN[] = "\033[0m";
 static bool wants_colour(void)
 {
 	const char *no = getenv("NO_COLOR"), *term = getenv("TERM");
-	return isatty(STDERR_FILENO) && !(no && *no) && term && strcmp(term, "dumb") != 0;
+	return !(no && *no) && term && strcmp(term, "dumb") != 0;
 }
 
 /* Stream files */
@@ -67,8 +67,12 @@ static bool open_stream(struct messages *m, enum stream stream, const char *pict
 bool messages_init(
 	struct messages *m, const struct options *options, const char *picture, bool append)
 {
+	const bool terminal = isatty(STDERR_FILENO);
 	*m = (struct messages){
-		.options = options, .colour = wants_colour(), .last = STREAM_WARNING
+		.options = options,
+		.terminal = terminal,
+		.colour = terminal && wants_colour(),
+		.last = STREAM_WARNING,
 	};
 	bool ok = true;
 	for (int i = 0; i < STREAM_COUNT; i++)
@@ -97,6 +101,23 @@ static void clear_line(struct messages *m)
 	if (m->line_open)
 		fputs("\r\033[K", stderr);
 	m->line_open = false;
+}
+
+/* What a scene writes, and a name of a file, may have any bytes in it. A terminal would obey some of
+ * them: there control characters are shown as \x1b. Redirected, the bytes are what they are. */
+static void put_text(FILE *file, const char *text, bool plain)
+{
+	for (const unsigned char *s = (const unsigned char *)text; *s; s++) {
+		/* U+0080 to U+009F are two bytes */
+		const bool wide = s[0] == 0xC2 && s[1] >= 0x80 && s[1] < 0xA0;
+		const bool control = (*s < ' ' && *s != '\n' && *s != '\t') || *s == 127 || wide;
+		if (plain || !control) {
+			fputc(*s, file);
+			continue;
+		}
+		s += wide;
+		fprintf(file, "\\x%02x", *s);
+	}
 }
 
 /* Excerpts */
@@ -149,57 +170,49 @@ static void make_excerpt(struct excerpt *e, const struct lambert_place *p)
 		*p2 = '~';
 }
 
-static void print_place(FILE *file, const struct lambert_place *p, const char *kind,
-	const char *text, const char *kind_colour)
+/* How a stream takes text. */
+struct manner {
+	bool colour, terminal;
+};
+
+static void print_place(FILE *file, const struct lambert_place *p, enum lambert_severity severity,
+	const char *text, struct manner manner)
 {
-	const char *bold = *kind_colour ? BOLD : "", *plain = *kind_colour ? PLAIN : "";
-	if (!p->file) {
-		fprintf(file, "%slambert:%s %s%s:%s %s\n", bold, plain, kind_colour, kind, plain,
-			text);
-		return;
-	}
-	fprintf(file, "%s%s:%u:%u:%s %s%s:%s %s\n", bold, p->file, p->line, p->column, plain,
-		kind_colour, kind, plain, text);
-	if (!p->text || !p->column)
+	const char *bold = manner.colour ? BOLD : "", *plain = manner.colour ? PLAIN : "";
+	const char *colour = manner.colour ? severity_colours[severity] : "";
+	fputs(bold, file);
+	put_text(file, p->file ? p->file : "lambert", !manner.terminal);
+	if (p->file)
+		fprintf(file, ":%u:%u", p->line, p->column);
+	fprintf(file, ":%s %s%s:%s ", plain, colour, severity_names[severity], plain);
+	put_text(file, text, !manner.terminal);
+	fputc('\n', file);
+	if (!p->file || !p->text || !p->column)
 		return;
 	struct excerpt e;
 	make_excerpt(&e, p);
-	fprintf(file, "%6u | %s\n       | %s%s%s\n", p->line, e.text, kind_colour, e.marks, plain);
+	fprintf(file, "%6u | ", p->line);
+	put_text(file, e.text, !manner.terminal);
+	fprintf(file, "\n       | %s%s%s\n", colour, e.marks, plain);
 }
 
-static void print_message(FILE *file, const struct lambert_message *message, bool colour)
+static void print_message(FILE *file, const struct lambert_message *message, struct manner manner)
 {
-	print_place(file, &message->place, severity_names[message->severity], message->text,
-		colour ? severity_colours[message->severity] : "");
+	print_place(file, &message->place, message->severity, message->text, manner);
 	for (size_t i = 0; i < message->chain_length; i++) {
 		const struct lambert_place *p = &message->chain[i];
-		print_place(file, p, severity_names[LAMBERT_NOTE],
-			p->context ? p->context : "reached from here",
-			colour ? severity_colours[LAMBERT_NOTE] : "");
+		print_place(file, p, LAMBERT_NOTE, p->context ? p->context : "reached from here",
+			manner);
 	}
 }
 
 /* JSON */
 
-void json_string(FILE *file, const char *text)
-{
-	fputc('"', file);
-	for (const unsigned char *p = (const unsigned char *)text; *p; p++) {
-		if (*p == '"' || *p == '\\')
-			fprintf(file, "\\%c", *p);
-		else if (*p < ' ' || *p == 127)
-			fprintf(file, "\\u%04x", *p);
-		else
-			fputc(*p, file);
-	}
-	fputc('"', file);
-}
-
 static void print_json_place(FILE *file, const struct lambert_place *p)
 {
 	fputs("\"file\":", file);
 	if (p->file)
-		json_string(file, p->file);
+		lambert_print_json_string(p->file, file);
 	else
 		fputs("null", file);
 	fprintf(file, ",\"line\":%u,\"column\":%u,\"length\":%u", p->line, p->column, p->length);
@@ -208,7 +221,7 @@ static void print_json_place(FILE *file, const struct lambert_place *p)
 static void print_json(FILE *file, const struct lambert_message *message)
 {
 	fprintf(file, "{\"severity\":\"%s\",\"message\":", severity_names[message->severity]);
-	json_string(file, message->text);
+	lambert_print_json_string(message->text, file);
 	fputc(',', file);
 	print_json_place(file, &message->place);
 	fputs(",\"chain\":[", file);
@@ -216,7 +229,8 @@ static void print_json(FILE *file, const struct lambert_message *message)
 		fputs(i ? ",{" : "{", file);
 		print_json_place(file, &message->chain[i]);
 		fputs(",\"context\":", file);
-		json_string(file, message->chain[i].context ? message->chain[i].context : "");
+		lambert_print_json_string(
+			message->chain[i].context ? message->chain[i].context : "", file);
 		fputc('}', file);
 	}
 	fputs("]}\n", file);
@@ -235,7 +249,7 @@ void messages_take(void *user, const struct lambert_message *message)
 	m->last = stream;
 	for (int i = 0; i < STREAM_COUNT; i++)
 		if (m->files[i] && (i == STREAM_ALL || i == (int)stream))
-			print_message(m->files[i], message, false);
+			print_message(m->files[i], message, (struct manner){ false, false });
 	if (m->json) {
 		print_json(m->json, message);
 		return;
@@ -244,7 +258,7 @@ void messages_take(void *user, const struct lambert_message *message)
 	/* What is wrong is always said: an exit status alone helps nobody. */
 	if (stream == STREAM_FATAL || (on_console(m, stream) && !is_muted)) {
 		clear_line(m);
-		print_message(stderr, message, m->colour);
+		print_message(stderr, message, (struct manner){ m->colour, m->terminal });
 	}
 }
 
@@ -257,7 +271,8 @@ static void say(struct messages *m, enum stream stream, const char *line)
 	if (!on_console(m, stream))
 		return;
 	clear_line(m);
-	fprintf(stderr, "%s%s", line, end);
+	put_text(stderr, line, !m->terminal);
+	fputs(end, stderr);
 }
 
 /* #render and #statistics text goes the way of #debug text, as in POV-Ray. */

@@ -15,6 +15,7 @@ struct messages {
 	const struct options *options;
 	FILE *files[STREAM_COUNT]; /* NULL: none */
 	FILE *json;		   /* messages as JSON lines go here instead; NULL: nowhere */
+	bool terminal;		   /* the console is one */
 	bool colour;
 	enum stream last; /* of the last message: its notes go there too */
 	bool line_open;	  /* a progress bar stands on the console's current line */
@@ -32,7 +33,5 @@ void messages_take_text(void *user, const char *stream, const char *line);
 /* A line of the program itself on one of the streams. */
 void messages_say(struct messages *, enum stream, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
-/* Prints a string as JSON, with its quotes. */
-void json_string(FILE *, const char *text);
 
 #endif

@@ -38,9 +38,9 @@ static void print_json(FILE *file, const struct stats *s)
 	struct rusage usage;
 	getrusage(RUSAGE_SELF, &usage);
 	fputs("{\"scene\": ", file);
-	json_string(file, s->scene);
+	lambert_print_json_string(s->scene, file);
 	fputs(", \"picture\": ", file);
-	json_string(file, s->picture ? s->picture : "");
+	lambert_print_json_string(s->picture ? s->picture : "", file);
 	fprintf(file, ", \"width\": %u, \"height\": %u, \"frame\": %d, ", s->width, s->height,
 		s->frame);
 	print_scene(file, &s->scene_stats);

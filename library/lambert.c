@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/diag.h"
+#include "base/json.h"
 #include "base/parallel.h"
 #include "library/hooks.h"
 #include "parser/parser.h"
@@ -282,6 +283,11 @@ void lambert_scene_destroy(lambert_scene *s)
 		return;
 	scene_destroy(s->scene);
 	free(s);
+}
+
+void lambert_print_json_string(const char *text, FILE *file)
+{
+	json_print_string(file, text);
 }
 
 void lambert_scene_statistics(const lambert_scene *s, struct lambert_scene_stats *stats)

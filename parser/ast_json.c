@@ -3,12 +3,14 @@
  * The AST as JSON, one object per node, indented. Declared values are printed
  * where they are used, the first time; later uses name the place only.
  */
+#include "base/json.h"
 #include "base/pointer_map.h"
 #include "parser/ast.h"
 #include "parser/parser.h"
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct printer {
@@ -34,21 +36,6 @@ static void indent(const struct printer *j, unsigned depth)
 
 /* -- Scalars ------------------------------------------------------------------------------ */
 
-static void print_string(const struct printer *j, const char *s)
-{
-	fputc('"', j->out);
-	for (; *s; s++) {
-		const unsigned char c = (unsigned char)*s;
-		if (c == '"' || c == '\\')
-			fprintf(j->out, "\\%c", c);
-		else if (c < 0x20)
-			fprintf(j->out, "\\u%04x", c);
-		else
-			fputc(c, j->out);
-	}
-	fputc('"', j->out);
-}
-
 /* JSON knows no infinity and no NaN: they are strings. */
 static void print_double(const struct printer *j, double v)
 {
@@ -61,17 +48,16 @@ static void print_double(const struct printer *j, double v)
 static void print_place(const struct printer *j, span where)
 {
 	const struct place place = diag_place(j->diag, where);
-	char text[32];
-	snprintf(text, sizeof text, ":%u:%u", place.line, place.column);
 	fputs(", \"at\": ", j->out);
 	if (!place.file) {
 		fputs("null", j->out);
 		return;
 	}
-	fputc('"', j->out);
-	for (const char *s = place.file; *s; s++)
-		fprintf(j->out, *s == '"' || *s == '\\' ? "\\%c" : "%c", *s);
-	fprintf(j->out, "%s\"", text);
+	const size_t room = strlen(place.file) + 32;
+	char *text = memory_alloc(room, 1);
+	snprintf(text, room, "%s:%u:%u", place.file, place.line, place.column);
+	json_print_string(j->out, text);
+	free(text);
 }
 
 static void print_number(const struct printer *j, const struct number *n)
@@ -139,7 +125,7 @@ static void print_expr(struct printer *j, const struct expr *e, unsigned depth)
 		return;
 	}
 	fputc('[', j->out);
-	print_string(j, operator_name(e));
+	json_print_string(j->out, operator_name(e));
 	print_detail(j, e, depth);
 	for (uint32_t i = 0; i < e->operand_count; i++) {
 		fputs(", ", j->out);
@@ -209,7 +195,7 @@ static void print_args(struct printer *j, const struct node *node, unsigned dept
 			print_number(j, &arg->number);
 			break;
 		case ARG_STRING:
-			print_string(j, arg->string);
+			json_print_string(j->out, arg->string);
 			break;
 		case ARG_ARRAY:
 			print_array(j, arg, depth);
@@ -239,7 +225,7 @@ static void print_nodes(struct printer *j, const struct node *list, unsigned dep
 static void print_node(struct printer *j, const struct node *node, unsigned depth)
 {
 	fprintf(j->out, "{\"%s\": ", node->keyword == K_REFERENCE ? "reference" : "node");
-	print_string(j, node->keyword == K_REFERENCE ? (node->name ? node->name : "")
+	json_print_string(j->out, node->keyword == K_REFERENCE ? (node->name ? node->name : "")
 						     : keyword_name(node->keyword));
 	print_place(j, node->span);
 	if (node->arg_count)
@@ -253,7 +239,7 @@ static void print_node(struct printer *j, const struct node *node, unsigned dept
 		print_node(j, node->ref, depth + 1);
 	} else if (node->ref) {
 		fputs(", \"declared\": {\"node\": ", j->out);
-		print_string(j, keyword_name(node->ref->keyword));
+		json_print_string(j->out, keyword_name(node->ref->keyword));
 		print_place(j, node->ref->span);
 		fputc('}', j->out);
 	}

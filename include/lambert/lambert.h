@@ -105,6 +105,8 @@ bool lambert_scene_check(
 	const char *path, const struct lambert_scene_options *, struct lambert_scene_stats *);
 /* Reads a scene and prints its syntax tree as JSON; false after an error. */
 bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *, FILE *);
+/* Prints a text as a JSON string in UTF-8; bytes that are no UTF-8 count as Latin-1. */
+void lambert_print_json_string(const char *text, FILE *);
 void lambert_scene_statistics(const lambert_scene *, struct lambert_scene_stats *);
 
 struct lambert_render_stats {

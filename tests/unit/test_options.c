@@ -432,6 +432,10 @@ void lambert_render_options_init(struct lambert_render_options *options)
 {
 	*options = (struct lambert_render_options){ .block_size = 32 };
 }
+void lambert_print_json_string(const char *text, FILE *file)
+{
+	fprintf(file, "\"%s\"", text);
+}
 void lambert_output_options_init(struct lambert_output_options *options)
 {
 	*options = (struct lambert_output_options){ .bits = 8 };
