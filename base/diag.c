@@ -33,6 +33,10 @@ struct diag {
 	size_t source_count, site_count, site_room;
 	unsigned errors;
 	bool muted;
+	uint32_t last_site; /* of the last message: its notes need not say the way again */
+	bool dropped;	    /* the last error or warning was not shown: nor are its notes */
+	uint64_t *seen;	    /* hashes of what was shown, open addressing; 0: free */
+	size_t seen_count, seen_room;
 	char *lines[CHAIN_MAX + 1]; /* the text of the places being shown */
 };
 
@@ -51,6 +55,7 @@ void diag_destroy(struct diag *d)
 		free(d->lines[i]);
 	free(d->sources);
 	free(d->sites);
+	free(d->seen);
 	free(d);
 }
 
@@ -116,18 +121,66 @@ struct place diag_place(struct diag *d, span where)
 	return resolve(d, where, &d->lines[0]);
 }
 
-static void deliver(
-	struct diag *d, enum severity severity, span where, const char *format, va_list args)
+/* -- What was shown before ---------------------------------------------------------------- */
+
+static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
 {
-	if (d->muted)
-		return;
-	char text[1024];
-	vsnprintf(text, sizeof text, format, args);
-	if (severity == SEVERITY_ERROR)
-		d->errors++;
+	const unsigned char *p = bytes;
+	for (size_t i = 0; i < size; i++)
+		hash = (hash ^ p[i]) * 1099511628211u; /* FNV-1a */
+	return hash;
+}
+
+static void put_seen(struct diag *d, uint64_t hash)
+{
+	size_t at = (size_t)hash & (d->seen_room - 1);
+	while (d->seen[at])
+		at = (at + 1) & (d->seen_room - 1);
+	d->seen[at] = hash;
+}
+
+static void widen_seen(struct diag *d)
+{
+	uint64_t *const old = d->seen;
+	const size_t old_room = d->seen_room;
+	d->seen_room = old_room ? 2 * old_room : 64;
+	d->seen = memory_alloc(d->seen_room, sizeof *d->seen);
+	memset(d->seen, 0, d->seen_room * sizeof *d->seen);
+	for (size_t i = 0; i < old_room; i++)
+		if (old[i])
+			put_seen(d, old[i]);
+	free(old);
+}
+
+/* Whether this text is shown at this place for the first time; from now on it was shown. */
+static bool first_time(struct diag *d, span where, const char *text)
+{
+	uint64_t hash = hash_bytes(14695981039346656037u, text, strlen(text));
+	hash = hash_bytes(hash, &where.source, sizeof where.source);
+	hash = hash_bytes(hash, &where.offset, sizeof where.offset);
+	hash += hash == 0;
+	for (size_t at = (size_t)hash; d->seen_room; at++) {
+		const uint64_t known = d->seen[at & (d->seen_room - 1)];
+		if (known == hash)
+			return false;
+		if (!known)
+			break;
+	}
+	if (2 * ++d->seen_count > d->seen_room)
+		widen_seen(d);
+	put_seen(d, hash);
+	return true;
+}
+
+/* -- Messages ----------------------------------------------------------------------------- */
+
+static void show(struct diag *d, enum severity severity, span where, const char *text)
+{
 	struct place chain[CHAIN_MAX];
 	size_t length = 0;
-	for (uint32_t site = where.site; site && site <= d->site_count && length < CHAIN_MAX;) {
+	const bool same_way = severity == SEVERITY_NOTE && where.site == d->last_site;
+	for (uint32_t site = same_way ? 0 : where.site;
+		site && site <= d->site_count && length < CHAIN_MAX;) {
 		const struct site *s = &d->sites[site - 1];
 		chain[length] = resolve(d, s->call, &d->lines[length + 1]);
 		chain[length].context = s->context;
@@ -141,7 +194,20 @@ static void deliver(
 		.chain = chain,
 		.chain_length = length,
 	};
+	d->last_site = where.site;
 	d->sink(d->user, &m);
+}
+
+static void deliver(
+	struct diag *d, enum severity severity, span where, const char *format, va_list args)
+{
+	char text[1024];
+	vsnprintf(text, sizeof text, format, args);
+	d->dropped = d->muted || !first_time(d, where, text);
+	if (d->dropped)
+		return;
+	d->errors += severity == SEVERITY_ERROR;
+	show(d, severity, where, text);
 }
 
 void diag_error(struct diag *d, span where, const char *format, ...)
@@ -160,12 +226,23 @@ void diag_warning(struct diag *d, span where, const char *format, ...)
 	va_end(args);
 }
 
+void diag_scene_warning(struct diag *d, span where, const char *text)
+{
+	d->dropped = d->muted;
+	if (!d->dropped)
+		show(d, SEVERITY_WARNING, where, text);
+}
+
 void diag_note(struct diag *d, span where, const char *format, ...)
 {
+	if (d->muted || d->dropped)
+		return;
+	char text[1024];
 	va_list args;
 	va_start(args, format);
-	deliver(d, SEVERITY_NOTE, where, format, args);
+	vsnprintf(text, sizeof text, format, args);
 	va_end(args);
+	show(d, SEVERITY_NOTE, where, text);
 }
 
 bool diag_mute(struct diag *d, bool muted)

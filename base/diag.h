@@ -34,12 +34,13 @@ struct message {
 	enum severity severity;
 	const char *text;
 	struct place place;
-	/* Outwards: the includes and macro calls through which `place` was reached. */
+	/* Outwards: the includes and macro calls through which `place` was reached; of a note only
+	 * where they differ from those of the message before. */
 	const struct place *chain;
 	size_t chain_length;
 };
 
-/* Receives each message once, in order. Must not call back into lambert. */
+/* Receives the messages in order. Must not call back into lambert. */
 typedef void (*message_sink)(void *user, const struct message *);
 
 struct diag;
@@ -53,11 +54,15 @@ uint32_t diag_add_source(struct diag *, const char *name, const char *bytes, siz
  * `context` as in struct place, static or outliving the diag. Returns the new site. */
 uint32_t diag_add_site(struct diag *, span call, const char *context);
 
+/* An error or a warning is shown once for its place and text, however often a loop or a macro comes
+ * by. */
 void diag_error(struct diag *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 void diag_warning(struct diag *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
-/* Goes with the message before: "opened here". */
+/* A warning that the scene itself gives: shown each time. */
+void diag_scene_warning(struct diag *, span where, const char *text);
+/* Goes with the message before, and is shown if that was: "opened here". */
 void diag_note(struct diag *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
@@ -65,7 +70,7 @@ void diag_note(struct diag *, span where, const char *format, ...)
  * held before. */
 bool diag_mute(struct diag *, bool);
 
-/* Errors reported so far. */
+/* Errors shown so far. */
 unsigned diag_errors(const struct diag *);
 
 /* Fills `file`, `line`, `column`, `text` of a place; strings valid until the next call. */

@@ -101,7 +101,7 @@ bool block_end(struct parser *p, span where)
 			return loop_again(p, where);
 		parser_error(
 			p, where, "#%s must end in the file it begins in", keyword_name(b->opener));
-		diag_note(p->diag, b->opened, "it begins here");
+		parser_note(p, b->opened, "it begins here");
 		return false;
 	}
 	x->block_count--;

@@ -93,7 +93,7 @@ bool condition_else(struct parser *p, const struct directive *d, span where)
 		return true;
 	case BLOCK_ELSE:
 		parser_error(p, where, "a second #else");
-		diag_note(p->diag, b->opened, "the block begins here");
+		parser_note(p, b->opened, "the block begins here");
 		return false;
 	default:
 		parser_error(p, where, "#else without #if or #switch");

@@ -129,7 +129,7 @@ static bool read_semicolon(struct parser *p, bool expression, span where)
 	parser_error(p, at, "expected ';' behind the declared expression, found %s",
 		token_describe(p, token, &next));
 	note_comparison(p, token, at);
-	diag_note(p->diag, where, "the declaration begins here");
+	parser_note(p, where, "the declaration begins here");
 	return false;
 }
 

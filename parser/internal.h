@@ -58,6 +58,7 @@ struct parser {
 	/* Errors reported. What is read again, in a macro, is not reported again. */
 	span reported[MOST_ERRORS];
 	unsigned error_count;
+	bool error_shown; /* the last error was: its notes follow */
 
 	/* Levels of references below declared nodes (none: 0), and in the value being read: what
 	 * follows references later recurses as deep. */
@@ -84,6 +85,10 @@ struct language_state *parser_change_state(struct parser *);
 
 /* Reports an error and ends the token stream, so that what is its consequence is not shown. */
 void parser_error(struct parser *, span where, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+
+/* Says more about the error before, if that was shown. */
+void parser_note(struct parser *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
 /* Reports a warning of an expression. */

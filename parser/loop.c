@@ -148,7 +148,7 @@ static bool for_again(struct parser *p, span where)
 	if (!symbol || symbol->slot->kind != VALUE_NUMBER || symbol->slot->number.terms != 1) {
 		parser_error(p, where, "the variable '%s' of #for is no float any more",
 			x->names.list[b->name].text);
-		diag_note(p->diag, b->opened, "the loop begins here");
+		parser_note(p, b->opened, "the loop begins here");
 		return false;
 	}
 	double *value = &symbol->slot->number.v[0];

@@ -117,8 +117,7 @@ static bool report_count(
 	parser_error(p, where, "macro '%s' takes %u argument%s, %s %u",
 		p->expand->names.list[m->name].text, m->parameter_count,
 		m->parameter_count == 1 ? "" : "s", what, found);
-	diag_note(p->diag,
-		(span){ m->source->number, m->source->tokens[m->start - 1].offset, 1, 0 },
+	parser_note(p, (span){ m->source->number, m->source->tokens[m->start - 1].offset, 1, 0 },
 		"the macro is defined here");
 	return false;
 }

@@ -102,7 +102,7 @@ bool message_run(struct parser *p, enum keyword stream, span where)
 	text = string_bytes(p, text);
 	switch (stream) {
 	case K_WARNING:
-		diag_warning(p->diag, where, "%s", one_line(p, text));
+		diag_scene_warning(p->diag, where, one_line(p, text));
 		return true;
 	case K_ERROR:
 		parser_stop(p, where, "%s", one_line(p, text));

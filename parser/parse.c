@@ -31,6 +31,7 @@ static bool was_reported(const struct parser *p, span where)
 
 static void report(struct parser *p, span where, const char *format, va_list args)
 {
+	p->error_shown = false;
 	if (p->trial)
 		p->refused = true;
 	if (p->failed || p->trial)
@@ -43,6 +44,7 @@ static void report(struct parser *p, span where, const char *format, va_list arg
 	if (was_reported(p, where) || p->error_count == MOST_ERRORS)
 		return;
 	p->reported[p->error_count++] = where;
+	p->error_shown = true;
 	diag_error(p->diag, where, "%s", text);
 }
 
@@ -61,6 +63,18 @@ void parser_stop(struct parser *p, span where, const char *format, ...)
 	report(p, where, format, args);
 	va_end(args);
 	p->stopped = true;
+}
+
+void parser_note(struct parser *p, span where, const char *format, ...)
+{
+	if (!p->error_shown)
+		return;
+	char text[1024];
+	va_list args;
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	diag_note(p->diag, where, "%s", text);
 }
 
 void parser_warning(struct parser *p, span where, const char *format, ...)

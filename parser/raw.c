@@ -81,7 +81,7 @@ void raw_report_lexical(struct parser *p, const struct frame *f)
 	parser_error(
 		p, (span){ s->number, s->error_offset, s->error_length, f->site }, "%s", s->error);
 	if (s->error_note)
-		diag_note(p->diag, (span){ s->number, s->note_offset, 1, f->site }, "%s",
+		parser_note(p, (span){ s->number, s->note_offset, 1, f->site }, "%s",
 			s->error_note);
 }
 

@@ -138,7 +138,7 @@ static void report_open(struct parser *p, const struct opening *open, span where
 	const char *what =
 		named ? keyword_name(open->keyword) : arena_printf(p->arena, "'%c'", open->token);
 	parser_error(p, where, "missing %s for %s", closing(open->token), what);
-	diag_note(p->diag, named ? open->word : open->where, "%s is opened here", what);
+	parser_note(p, named ? open->word : open->where, "%s is opened here", what);
 }
 
 /* -- Kinds of values ---------------------------------------------------------------------- */
@@ -234,7 +234,7 @@ static bool report_in_function(struct parser *p, const struct run *run, const st
 	parser_error(p, t->where, "%s cannot be used in a function%s", found_words(p, run, t),
 		t->value.symbol ? ": only floats can" : "");
 	if (t->token == T_VECTOR || t->token == T_COLOUR)
-		diag_note(p->diag, t->where, "declare a float before: #declare X = %s.x;",
+		parser_note(p, t->where, "declare a float before: #declare X = %s.x;",
 			token_name(&t->value));
 	return true;
 }
@@ -245,7 +245,7 @@ void note_comparison(struct parser *p, int token, span where)
 {
 	if (token == T_LE || token == T_GE || token == T_NE || token == '<' || token == '>' ||
 		token == '=' || token == '&' || token == '|' || token == '?')
-		diag_note(p->diag, where, "a comparison needs parentheses here: (a > b)");
+		parser_note(p, where, "a comparison needs parentheses here: (a > b)");
 }
 
 /* Says what would be right where a habit from another language, or a comparison where only sums are
@@ -255,17 +255,16 @@ static void hint(struct parser *p, const struct run *run, const struct queued *t
 	const int token = t->token, before = run->token_before;
 	const bool doubled = token == before && (token == '=' || token == '&' || token == '|');
 	if (doubled)
-		diag_note(
-			p->diag, t->where, "the operator is '%c', not '%c%c'", token, token, token);
+		parser_note(p, t->where, "the operator is '%c', not '%c%c'", token, token, token);
 	else if (token == ')' && before == T_STRING)
-		diag_note(p->diag, t->where, "a string can only be compared here: (S = \"x\")");
+		parser_note(p, t->where, "a string can only be compared here: (S = \"x\")");
 	else if (token == '+' && before == T_STRING)
-		diag_note(p->diag, t->where, "strings are joined by concat(S, T)");
+		parser_note(p, t->where, "strings are joined by concat(S, T)");
 	else if (t->value.keyword >= K_RGB && t->value.keyword <= K_RGBT && !ends_operand(before))
-		diag_note(p->diag, t->where,
+		parser_note(p, t->where,
 			"a colour in an expression must be declared: #declare C = rgb 1;");
 	else if (token == ';' && run->start_token == T_START_SCENE)
-		diag_note(p->diag, t->where, "a ';' ends directives only, such as #declare");
+		parser_note(p, t->where, "a ';' ends directives only, such as #declare");
 	else if (token != '<' && ends_operand(before))
 		note_comparison(p, token, t->where);
 }
@@ -277,7 +276,7 @@ static void note_block(struct parser *p, const struct opening *open, span where)
 {
 	if (open && open->token == '{' && open->keyword != K_NONE &&
 		diag_place(p->diag, open->word).line != diag_place(p->diag, where).line)
-		diag_note(p->diag, open->word, "%s is opened here", keyword_name(open->keyword));
+		parser_note(p, open->word, "%s is opened here", keyword_name(open->keyword));
 }
 
 static void report_unexpected(
@@ -302,7 +301,7 @@ static void report_unexpected(
 	else
 		parser_error(p, t->where, "unexpected %s%s", found, in);
 	if (open && is_closing(t->token) && closing(open->token)[0] != t->token)
-		diag_note(p->diag, open->where, "the %c is still open", open->token);
+		parser_note(p, open->where, "the %c is still open", open->token);
 	else if (t->value.keyword != K_NONE && !in_vector)
 		note_block(p, open, t->where);
 	hint(p, run, t);

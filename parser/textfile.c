@@ -295,7 +295,7 @@ static bool read_into(struct parser *p, struct symbol *handle, struct value *slo
 	if (f->position == f->in->count)
 		return close_file(p, handle, where);
 	if (!read_datum(p, f, &v)) {
-		diag_note(p->diag, where, "it would be read into this");
+		parser_note(p, where, "it would be read into this");
 		return false;
 	}
 	if (array && !array_accepts(array, &v)) {
