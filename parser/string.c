@@ -70,8 +70,28 @@ static bool take_escape(const char **in, const char *end, uint32_t *code)
 	return true;
 }
 
-static const char *take_byte(
-	struct parser *p, const char *in, const char *end, span where, bool warn, uint32_t *code)
+/* Whether a byte is one that the charset in force does not have. */
+static bool is_lost(const struct parser *p, char byte)
+{
+	return (unsigned char)byte > 127 && p->charset == CHARSET_ASCII && p->state->version >= 350;
+}
+
+static void warn_of_lost(struct parser *p, const char *text, size_t length, span where)
+{
+	size_t first = 0;
+	while (first < length && !is_lost(p, text[first]))
+		first++;
+	if (first == length)
+		return;
+	where.offset += (uint32_t)first + 1;
+	where.length = 1;
+	diag_warning(p->diag, where,
+		"a byte beyond ASCII (0x%02X) becomes a space: global_settings { charset utf8 } "
+		"keeps UTF-8",
+		(unsigned char)text[first]);
+}
+
+static const char *take_byte(struct parser *p, const char *in, const char *end, uint32_t *code)
 {
 	const unsigned char c = (unsigned char)*in;
 	if (c > 127 && p->charset != CHARSET_ASCII)
@@ -81,14 +101,7 @@ static const char *take_byte(
 		const bool pair = in + 1 < end && (in[1] == '\r' || in[1] == '\n') && in[1] != *in;
 		return in + 1 + pair;
 	}
-	*code = c;
-	if (c > 127 && p->state->version >= 350) {
-		if (warn)
-			diag_warning(p->diag, where,
-				"byte 0x%02X in a string is read as a space: the charset is ASCII",
-				c);
-		*code = ' ';
-	}
+	*code = is_lost(p, *in) ? ' ' : c;
 	return in + 1;
 }
 
@@ -105,6 +118,8 @@ const char *string_literal(
 {
 	if (is_plain(text, length) && (!escapes || !memchr(text, '\\', length)))
 		return arena_string(p->arena, text, length);
+	if (!escapes) /* which every string is read for as well */
+		warn_of_lost(p, text, length, where);
 	char *const start = arena_alloc(p->arena, 3 * length + 1), *out = start;
 	const char *end = text + length;
 	for (const char *in = text; in < end;) {
@@ -119,7 +134,7 @@ const char *string_literal(
 				return NULL;
 			}
 		} else {
-			in = take_byte(p, in, end, where, !escapes, &code);
+			in = take_byte(p, in, end, &code);
 		}
 		if (code)
 			out = put_code(out, code);

@@ -15,6 +15,7 @@ struct heritage {
 	struct draft_interior *interior;
 	struct draft_interior **fallback; /* of the whole statement: made when first needed */
 	bool in_compound;		  /* the fallback is shared with others */
+	bool in_solid;			  /* part of an object that stays one */
 	bool uv_mapping, no_shadow, no_image, no_reflection;
 	const struct light *const *lights;
 	bool global_lights;
@@ -93,6 +94,7 @@ static struct heritage inherit(const struct heritage *parent, const struct draft
 	if (d->interior)
 		h.interior = d->interior;
 	h.in_compound |= d->kind == DRAFT_CSG || d->kind == DRAFT_TEXT;
+	h.in_solid |= d->kind == DRAFT_CSG && (d->csg != CSG_UNION || d->clips);
 	h.no_shadow |= d->no_shadow;
 	h.no_image |= d->no_image;
 	h.no_reflection |= d->no_reflection;
@@ -342,6 +344,23 @@ static void finish_bounds(struct lowering *l, struct draft *d, const struct heri
 	}
 }
 
+static bool has_light(const struct draft *d)
+{
+	for (const struct draft *child = d->children; child; child = child->next)
+		if (child->kind == DRAFT_LIGHT)
+			return true;
+	return false;
+}
+
+/* The objects of an author who bounds by hand have boxes already. */
+static void warn_of_bounds(
+	struct lowering *l, const struct draft *d, const struct object_list *bounded)
+{
+	if (d->bounds && !l->for_questions && !box_is_unbounded(hull_of(bounded)))
+		diag_warning(l->diag, d->bounds->node->span,
+			"bounded_by is not needed: each finite object has its own bounds");
+}
+
 static void keep_bounds(
 	struct lowering *l, struct object *o, const struct object *const *bounds, uint32_t count)
 {
@@ -432,6 +451,8 @@ static void collect_union(
 	const struct object *const *bounds;
 	uint32_t bound_count;
 	finish_bounds(l, d, h, &members, &bounds, &bound_count);
+	if (d->split_union && !h->in_solid && !has_light(d))
+		warn_of_bounds(l, d, &members);
 	if (!bound_count && !unseen && !is_kept(d)) {
 		for (size_t i = 0; i < members.count; i++)
 			list_add(out, members.items[i]);
@@ -559,6 +580,8 @@ static void collect(
 		const struct object *const *bounds;
 		uint32_t bound_count;
 		finish_bounds(l, d, &h, &self, &bounds, &bound_count);
+		if (!h.in_solid)
+			warn_of_bounds(l, d, &self);
 		intersect_bounds(o, bounds, bound_count);
 		list_add(out, o);
 		break;

@@ -230,6 +230,11 @@ static bool is_usable(vec3 v)
 	return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
 }
 
+static bool are_perpendicular(vec3 a, vec3 b)
+{
+	return fabs(vec_dot(a, b)) <= EPSILON * vec_length(a) * vec_length(b);
+}
+
 static void place_camera(struct lowering *l, const struct node *n, const struct camera_items *items)
 {
 	struct camera_items c = *items;
@@ -237,6 +242,11 @@ static void place_camera(struct lowering *l, const struct node *n, const struct 
 	if (n && !(is_usable(c.location) && is_usable(c.direction) && is_usable(c.right) &&
 			 is_usable(c.up)))
 		diag_error(l->diag, n->span, "camera: a vector is not a number or infinite");
+	else if (n && !(are_perpendicular(c.right, c.up) && are_perpendicular(c.up, c.direction) &&
+			      are_perpendicular(c.direction, c.right)))
+		diag_warning(l->diag, n->span,
+			"camera: right, up and direction are not perpendicular: the picture is "
+			"sheared; look_at would turn all of them");
 	l->scene->camera = (struct camera){ .type = c.type,
 		.location = c.location,
 		.right = c.right,
