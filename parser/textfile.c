@@ -394,10 +394,17 @@ static bool starts_string(int token)
 	       token == KW_DATETIME;
 }
 
+static bool starts_colour(int token)
+{
+	return token == T_COLOUR || token == KW_COLOR || token == KW_RGB || token == KW_RGBF ||
+	       token == KW_RGBT || token == KW_RGBFT || token == KW_SRGB || token == KW_SRGBF ||
+	       token == KW_SRGBT || token == KW_SRGBFT;
+}
+
 static bool write_item(
 	struct parser *p, FILE *out, int token, const struct format *format, span where)
 {
-	if (token == T_COLOUR || (token >= KW_RGB && token <= KW_RGBT)) {
+	if (starts_colour(token)) {
 		parser_error(p, where,
 			"a colour cannot be written: write its components, as <C.red, C.green>");
 		return false;
