@@ -260,14 +260,11 @@ static vec3 rotate_about(vec3 v, vec3 axis, double degrees)
 	};
 }
 
-/* About x, then y, then z. */
-static vec3 rotate_xyz(vec3 v, vec3 degrees)
+/* Through the matrix, as objects are turned: the results agree to the last bit. */
+static vec3 rotate(vec3 v, vec3 degrees)
 {
-	const double a = degrees.x * (PI / 180), b = degrees.y * (PI / 180),
-		     c = degrees.z * (PI / 180);
-	v = (vec3){ v.x, v.y * cos(a) - v.z * sin(a), v.y * sin(a) + v.z * cos(a) };
-	v = (vec3){ v.x * cos(b) + v.z * sin(b), v.y, -v.x * sin(b) + v.z * cos(b) };
-	return (vec3){ v.x * cos(c) - v.y * sin(c), v.x * sin(c) + v.y * cos(c), v.z };
+	const transform turn = transform_rotate(degrees);
+	return transform_point(&turn, v);
 }
 
 static struct number evaluate(const struct call *c)
@@ -291,7 +288,7 @@ static struct number evaluate(const struct call *c)
 	case K_VNORMALIZE:
 		return normalize(c);
 	case K_VROTATE:
-		return from_vector(rotate_xyz(arg_vector(c, 0), arg_vector(c, 1)));
+		return from_vector(rotate(arg_vector(c, 0), arg_vector(c, 1)));
 	case K_VAXIS_ROTATE:
 		return from_vector(
 			rotate_about(arg_vector(c, 0), arg_vector(c, 1), arg_float(c, 2)));
