@@ -145,20 +145,22 @@ struct arena *arena_create(size_t block)
 	return a;
 }
 
-static void blocks_free(struct block *b)
+/* Frees the blocks of a list up to one that stays; NULL: all. */
+static struct block *blocks_free_until(struct block *b, const struct block *stays)
 {
-	while (b) {
+	while (b != stays) {
 		struct block *next = b->next;
 		block_destroy(b);
 		b = next;
 	}
+	return b;
 }
 
 void arena_destroy(struct arena *a)
 {
 	if (!a)
 		return;
-	blocks_free(a->blocks);
+	blocks_free_until(a->blocks, NULL);
 	free(a);
 }
 
@@ -167,9 +169,24 @@ void arena_reset(struct arena *a)
 	a->handed_out = 0;
 	if (!a->blocks)
 		return;
-	blocks_free(a->blocks->next);
-	a->blocks->next = NULL;
+	a->blocks->next = blocks_free_until(a->blocks->next, NULL);
 	a->blocks->used = 0;
+}
+
+struct arena_mark arena_mark(const struct arena *a)
+{
+	struct block *b = a->blocks;
+	return (struct arena_mark){ b, b ? b->next : NULL, b ? b->used : 0, a->handed_out };
+}
+
+void arena_rewind(struct arena *a, struct arena_mark mark)
+{
+	a->blocks = blocks_free_until(a->blocks, mark.block);
+	a->handed_out = mark.handed_out;
+	if (!mark.block)
+		return;
+	mark.block->next = blocks_free_until(mark.block->next, mark.next);
+	mark.block->used = mark.used;
 }
 
 static void *take(struct arena *a, size_t size, size_t alignment)

@@ -21,6 +21,15 @@ void arena_destroy(struct arena *);
 /* Forgets everything that came from the arena but keeps its first block for reuse. */
 void arena_reset(struct arena *);
 
+/* What has come from an arena so far. */
+struct arena_mark {
+	struct block *block, *next;
+	size_t used, handed_out;
+};
+struct arena_mark arena_mark(const struct arena *);
+/* Forgets what came from the arena behind the mark, which no reset may precede. */
+void arena_rewind(struct arena *, struct arena_mark);
+
 /* Zeroed memory, aligned to 64 bytes when size >= 64, else to 16. */
 void *arena_alloc(struct arena *, size_t size);
 /* Zeroed memory, aligned to 8 bytes only: for the many small parts of a large tree. */

@@ -22,10 +22,7 @@ static struct arg *push(struct parser *p, enum arg_kind kind, span where)
 	struct grammar *g = p->grammar;
 	if (g->arg_count == g->arg_capacity) {
 		const size_t capacity = g->arg_count ? 2 * g->arg_count : 64;
-		struct arg *grown = ARENA_ARRAY(p->arena, capacity, struct arg);
-		if (g->arg_count)
-			memcpy(grown, g->args, g->arg_count * sizeof *grown);
-		g->args = grown;
+		g->args = memory_grow(g->args, capacity, sizeof *g->args);
 		g->arg_capacity = capacity;
 	}
 	struct arg *arg = &g->args[g->arg_count++];

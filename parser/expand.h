@@ -29,6 +29,9 @@ struct frame {
 	bool is_macro;
 	unsigned blocks; /* open when it began */
 	span call;	 /* the #include or macro call */
+	/* The first of the objects that begin between these tokens has something in it that the short
+	 * way leaves to the grammar, and the last is where. */
+	uint32_t failed_from, failed_to;
 };
 
 enum block_kind {

@@ -32,7 +32,7 @@ enum {
 enum charset { CHARSET_ASCII, CHARSET_UTF8, CHARSET_SYS };
 
 struct expand;	/* the directive layer's own state: expand.h */
-struct grammar; /* the grammar's own state, if it needs any; created by grammar_create */
+struct grammar; /* the grammar's own state: build.h */
 
 struct parser {
 	struct diag *diag;
@@ -79,6 +79,9 @@ struct parser {
 	struct expand *expand;
 	size_t token_count; /* delivered to the grammar */
 };
+
+/* Frees what the grammar's state holds besides the arena. */
+void grammar_finish(struct parser *);
 
 /* A fresh, writable copy of the language state that is in force from now on. */
 struct language_state *parser_change_state(struct parser *);

@@ -243,6 +243,7 @@ const struct ast *parse_scene(const char *path, const char *text, size_t size,
 	p.expand = expand_create(&p);
 	const struct ast *ast = parse(&p, path, text, size);
 	expand_destroy(p.expand);
+	grammar_finish(&p);
 	free(p.seeds);
 	pointer_map_release(&p.reference_levels);
 	pointer_map_release(&p.reference_parts);

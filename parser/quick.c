@@ -20,10 +20,7 @@
 
 #include "grammar.tab.h"
 
-enum {
-	MAX_DEPTH = 50, /* nested brackets and signs; more is left to the grammar */
-	NO_KIND = 0,	/* behind the last token of the text; no raw kind */
-};
+enum { NO_KIND = 0 }; /* behind the last token of the text; no raw kind */
 
 unsigned quick_next(const struct quick *q)
 {
@@ -276,11 +273,10 @@ static bool read_signed(struct quick *q, struct number *n)
 	if (sign != '-' && sign != '+' && sign != '!')
 		return read_component(q, n);
 	q->at++;
-	if (q->depth == MAX_DEPTH)
+	if (!quick_go_down(q))
 		return false;
-	q->depth++;
 	const bool ok = read_signed(q, n);
-	q->depth--;
+	quick_go_up(q);
 	if (ok && sign == '-')
 		*n = number_negate(*n);
 	else if (ok && sign == '!')
@@ -302,32 +298,43 @@ static void combine(struct quick *q, int op, struct number *a, const struct numb
 		*a = number_binary(q->p, op, *a, *b, NO_SPAN);
 }
 
-static bool read_product(struct quick *q, struct number *n)
+typedef bool reader(struct quick *, struct number *);
+/* The grammar's operator for a raw token of one rank, 0: none. */
+typedef int rank(unsigned kind);
+
+/* Operands with operators of one rank between them, from the left. */
+static inline bool read_chain(struct quick *q, struct number *n, reader *operand, rank *operator_of)
 {
-	if (!read_signed(q, n))
+	if (!operand(q, n))
 		return false;
-	for (unsigned op; (op = quick_next(q)) == '*' || op == '/';) {
+	for (int op; (op = operator_of(quick_next(q))) != 0;) {
 		struct number b;
 		q->at++;
-		if (!read_signed(q, &b))
+		if (!operand(q, &b))
 			return false;
-		combine(q, (int)op, n, &b);
+		combine(q, op, n, &b);
 	}
 	return true;
 }
 
+static inline int product_operator(unsigned kind)
+{
+	return kind == '*' || kind == '/' ? (int)kind : 0;
+}
+
+static bool read_product(struct quick *q, struct number *n)
+{
+	return read_chain(q, n, read_signed, product_operator);
+}
+
+static inline int sum_operator(unsigned kind)
+{
+	return kind == '+' || kind == '-' ? (int)kind : 0;
+}
+
 static bool sum_of_products(struct quick *q, struct number *n)
 {
-	if (!read_product(q, n))
-		return false;
-	for (unsigned op; (op = quick_next(q)) == '+' || op == '-';) {
-		struct number b;
-		q->at++;
-		if (!read_product(q, &b))
-			return false;
-		combine(q, (int)op, n, &b);
-	}
-	return true;
+	return read_chain(q, n, read_product, sum_operator);
 }
 
 /* A literal alone, the commonest of all sums. */
@@ -353,18 +360,16 @@ bool quick_read_sum(struct quick *q, struct number *n)
 {
 	if (read_plain(q, n))
 		return true;
-	if (q->depth == MAX_DEPTH)
+	if (!quick_go_down(q))
 		return false;
-	q->depth++;
 	const bool ok = sum_of_products(q, n);
-	q->depth--;
+	quick_go_up(q);
 	return ok;
 }
 
 /* -- Full expressions --------------------------------------------------------------------- */
 
-/* The grammar's operator for a relation, 0: none. */
-static int relation_of(unsigned kind)
+static inline int relation_operator(unsigned kind)
 {
 	switch (kind) {
 	case '<':
@@ -384,30 +389,17 @@ static int relation_of(unsigned kind)
 
 static bool read_relation(struct quick *q, struct number *n)
 {
-	if (!quick_read_sum(q, n))
-		return false;
-	for (int op; (op = relation_of(quick_next(q))) != 0;) {
-		struct number b;
-		q->at++;
-		if (!quick_read_sum(q, &b))
-			return false;
-		combine(q, op, n, &b);
-	}
-	return true;
+	return read_chain(q, n, quick_read_sum, relation_operator);
+}
+
+static inline int logic_operator(unsigned kind)
+{
+	return kind == '&' || kind == '|' ? (int)kind : 0;
 }
 
 static bool read_logic(struct quick *q, struct number *n)
 {
-	if (!read_relation(q, n))
-		return false;
-	for (unsigned op; (op = quick_next(q)) == '&' || op == '|';) {
-		struct number b;
-		q->at++;
-		if (!read_relation(q, &b))
-			return false;
-		combine(q, (int)op, n, &b);
-	}
-	return true;
+	return read_chain(q, n, read_relation, logic_operator);
 }
 
 bool quick_read_full(struct quick *q, struct number *n)
@@ -439,23 +431,38 @@ bool quick_begin(struct quick *q, struct parser *p)
 	q->at = f->tokens + f->position;
 	q->end = f->tokens + f->end;
 	q->depth = 0;
+	q->object = NULL;
+	q->arg_count = args_height(p);
+	q->levels_read = p->levels_read;
+	q->parts_read = p->parts_read;
+	q->tree = arena_mark(p->tree);
 	q->draw_count = 0;
 	p->trial = true;
 	p->refused = false;
 	return true;
 }
 
-bool quick_finish(struct quick *q, bool good, size_t height)
+/* All that an attempt allocates is nodes of the tree. */
+static void undo(struct quick *q)
+{
+	struct parser *p = q->p;
+	p->grammar->arg_count = q->arg_count;
+	p->levels_read = q->levels_read;
+	p->parts_read = q->parts_read;
+	arena_rewind(p->tree, q->tree);
+	while (q->draw_count) {
+		const struct draw *d = &q->draws[--q->draw_count];
+		p->seeds[d->stream] = d->state;
+	}
+}
+
+bool quick_finish(struct quick *q, bool good)
 {
 	struct parser *p = q->p;
 	struct expand *x = p->expand;
 	p->trial = false;
 	if (!good || p->refused) {
-		p->grammar->arg_count = height;
-		while (q->draw_count) {
-			const struct draw *d = &q->draws[--q->draw_count];
-			p->seeds[d->stream] = d->state;
-		}
+		undo(q);
 		return false;
 	}
 	struct frame *f = &x->frames[x->frame_count - 1];
@@ -507,9 +514,8 @@ static bool closed_sum(struct parser *p, struct number *n, bool value)
 	struct quick q;
 	if (!quick_begin(&q, p))
 		return false;
-	const size_t height = args_height(p);
 	const bool ok = !(value && begins_with_t(&q)) && quick_read_sum(&q, n) && at_close(&q);
-	if (!quick_finish(&q, ok, height))
+	if (!quick_finish(&q, ok))
 		return false;
 	*n = number_plain(*n);
 	return true;
@@ -535,9 +541,8 @@ bool quick_float(struct parser *p, enum quick_level level, double *value)
 	struct number n;
 	if (!quick_begin(&q, p))
 		return false;
-	const size_t height = args_height(p);
 	const bool ok = level == QUICK_FULL ? quick_read_full(&q, &n) : quick_read_sum(&q, &n);
-	if (!quick_finish(&q, ok && n.terms == 1 && at_close(&q), height))
+	if (!quick_finish(&q, ok && n.terms == 1 && at_close(&q)))
 		return false;
 	*value = n.v[0];
 	return true;
@@ -589,12 +594,11 @@ bool quick_sum(struct parser *p, enum quick_place place, struct number *n, span 
 	struct quick q;
 	if (!quick_begin(&q, p))
 		return false;
-	const size_t height = args_height(p);
 	const struct raw_token *first = q.at;
 	const bool ok = may_begin(&q, place) && quick_read_sum(&q, n) && quick_ends_sum(&q);
 	/* One word may be more than its value: a colour, the place of a vector, an axis. */
 	const bool plain = ok && (n->terms == 1 || q.at - first > 1);
-	if (!quick_finish(&q, plain, height))
+	if (!quick_finish(&q, plain))
 		return false;
 	*where = raw_span_at(p, q.at - 1);
 	where->length += where->offset - first->offset;
@@ -608,12 +612,11 @@ bool quick_variable(struct parser *p, struct value **slot)
 	const struct symbol *symbol;
 	if (!quick_begin(&q, p))
 		return false;
-	const size_t height = args_height(p);
 	struct value *found = quick_next(&q) == RAW_NAME ? quick_read_variable(&q, &symbol) : NULL;
 	const enum value_kind kind = found ? found->kind : VALUE_NONE;
 	const bool plain = kind == VALUE_NUMBER || kind == VALUE_COLOUR || kind == VALUE_STRING ||
 			   kind == VALUE_ARRAY;
-	if (!quick_finish(&q, plain && at_close(&q), height))
+	if (!quick_finish(&q, plain && at_close(&q)))
 		return false;
 	*slot = found;
 	return true;

@@ -47,7 +47,10 @@ bool quick_item(struct parser *, unsigned items, struct node **, enum keyword *,
 
 /* -- between quick.c and quick_item.c -- */
 
-enum { QUICK_DRAWS = 8 }; /* calls of rand() in one attempt */
+enum {
+	QUICK_DRAWS = 8,  /* calls of rand() in one attempt */
+	QUICK_DEPTH = 50, /* nested brackets, signs and objects; more is left to the grammar */
+};
 
 /* One attempt. */
 struct quick {
@@ -55,7 +58,11 @@ struct quick {
 	const struct frame *frame;
 	const struct raw_token *at, *end;
 	unsigned depth;
-	/* What rand() has changed, to be put back if the attempt fails. */
+	const struct raw_token *object; /* the innermost that is open, or was at the failure */
+	/* What the attempt has changed, to be put back if it fails. */
+	size_t arg_count;
+	uintptr_t levels_read, parts_read;
+	struct arena_mark tree;
 	struct draw {
 		size_t stream;
 		uint32_t state;
@@ -66,11 +73,20 @@ struct quick {
 /* Whether one can be made at all. */
 bool quick_begin(struct quick *, struct parser *);
 /* Ends the attempt. If it was good the text goes on behind it and the gate has seen one operand;
- * else all is as it was, and there are as many arguments as before. */
-bool quick_finish(struct quick *, bool good, size_t arguments_before);
+ * else all is as it was. */
+bool quick_finish(struct quick *, bool good);
 /* Kind of the next raw token, 0 behind the last of the text. */
 unsigned quick_next(const struct quick *);
 bool quick_skip(struct quick *, unsigned kind);
+/* Into brackets, if they are not too deep, and out. */
+static inline bool quick_go_down(struct quick *q)
+{
+	return q->depth < QUICK_DEPTH && ++q->depth;
+}
+static inline void quick_go_up(struct quick *q)
+{
+	q->depth--;
+}
 /* A sum; a full expression. */
 bool quick_read_sum(struct quick *, struct number *);
 bool quick_read_full(struct quick *, struct number *);

@@ -1,14 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The short way for items. Most of a large scene is primitives with plain
- * numbers, in plain colours, moved about; this reads
+ * numbers, in plain colours, moved about and put together; this reads
  *
- *     sphere { <1, 2, 3>, 0.5 pigment { rgb x } translate y }
+ *     union {
+ *         sphere { <1, 2, 3>, 0.5 pigment { rgb x } translate y }
+ *         object { Wheel scale 2 }
+ *     }
  *
  * and its like from the raw tokens, and the grammar gets it as one token, T_SHAPE
  * or T_MODIFIER. As in quick.c it is only a short cut: the nodes are made by the
  * functions that the grammar's actions call, and where anything else stands the
  * attempt leaves no trace and the grammar reads the item.
+ *
+ * An object within objects is attempted again where the attempt at the outer one
+ * has failed. To keep that from taking long, those that were open at the failure
+ * are left to the grammar at once, see struct frame.
  *
  * The rules mirror those of grammar.y with the same names.
  */
@@ -43,16 +50,31 @@ static span up_to_here(const struct quick *q, span from)
 
 /* -- Values ------------------------------------------------------------------------------- */
 
+/* From a token to the one read last. */
+static span since(const struct quick *q, const struct raw_token *first)
+{
+	span where = raw_span_at(q->p, q->at - 1);
+	where.length += where.offset - first->offset;
+	where.offset = first->offset;
+	return where;
+}
+
 static bool read_argument(struct quick *q, size_t *index)
 {
 	struct number n;
 	const struct raw_token *first = q->at;
 	if (!quick_read_sum(q, &n) || !quick_ends_sum(q) || n.terms == 5)
 		return false;
-	span where = raw_span_at(q->p, q->at - 1);
-	where.length += where.offset - first->offset;
-	where.offset = first->offset;
-	*index = args_push_number(q->p, n, where);
+	*index = args_push_number(q->p, n, since(q, first));
+	return true;
+}
+
+static bool read_full_at(struct quick *q, struct number *n, span *where)
+{
+	const struct raw_token *first = q->at;
+	if (!quick_read_full(q, n))
+		return false;
+	*where = since(q, first);
 	return true;
 }
 
@@ -100,7 +122,35 @@ static bool read_colour(struct quick *q, struct number *colour, span *where)
 	return true;
 }
 
+/* Whether a name follows that holds what `token` stands for. */
+static bool at_name(const struct quick *q, int token)
+{
+	if (quick_next(q) != RAW_NAME)
+		return false;
+	const struct symbol *symbol = symbol_find(&q->p->expand->symbols, q->at->payload);
+	return symbol && symbol->slot->kind == VALUE_NODE && symbol->slot->token == token;
+}
+
+/* The same and elements of arrays, read. */
+static struct node *read_name(struct quick *q, int token)
+{
+	const struct symbol *symbol;
+	if (quick_next(q) != RAW_NAME)
+		return NULL;
+	const span where = raw_span_at(q->p, q->at);
+	const struct value *slot = quick_read_variable(q, &symbol);
+	if (!slot || slot->kind != VALUE_NODE || slot->token != token)
+		return NULL;
+	const struct reference reference = { slot->node, symbol->text };
+	return node_reference(q->p, reference, up_to_here(q, where));
+}
+
 /* -- Modifiers ---------------------------------------------------------------------------- */
+
+static bool is_move(enum keyword word)
+{
+	return word == K_TRANSLATE || word == K_ROTATE || word == K_SCALE;
+}
 
 static struct node *read_move(struct quick *q)
 {
@@ -111,23 +161,58 @@ static struct node *read_move(struct quick *q)
 	return node_fit(q->p, item.word, up_to_here(q, item.at), item.at, start, "v");
 }
 
+static struct node *read_plain_colour(struct quick *q)
+{
+	struct number n;
+	span where;
+	if (!read_colour(q, &n, &where))
+		return NULL;
+	const struct colour_value colour = { n, NULL, true };
+	return colour_node(q->p, colour_full(q->p, colour, where), where);
+}
+
+/* A colour or a declared pigment, moved about. */
 static struct node *read_pigment(struct quick *q)
 {
 	const struct item item = take_word(q);
-	struct number n;
-	span where;
-	if (!quick_skip(q, '{') || !read_colour(q, &n, &where) || !quick_skip(q, '}'))
+	if (!quick_skip(q, '{'))
 		return NULL;
-	const struct colour_value colour = { n, NULL, true };
-	return node_block(q->p, K_PIGMENT, up_to_here(q, item.at), item.at,
-		list_one(colour_node(q->p, colour_full(q->p, colour, where), where)));
+	struct node *node = at_name(q, T_PIGMENT) ? read_name(q, T_PIGMENT) : read_plain_colour(q);
+	struct node_list list = list_none();
+	for (; node; node = is_move(next_word(q)) ? read_move(q) : NULL) {
+		list = list_add(list, node);
+		if (quick_skip(q, '}'))
+			return node_block(q->p, K_PIGMENT, up_to_here(q, item.at), item.at, list);
+	}
+	return NULL;
 }
 
-/* An item of a finish that is one float. */
+/* An item of a finish that is a colour, or an expression that is one without saying so. */
+static struct node *read_finish_colour(struct quick *q)
+{
+	const struct item item = take_word(q);
+	const enum keyword word = next_word(q);
+	struct number n;
+	span where;
+	if (word == K_COLOR || terms_of(word) ? !read_colour(q, &n, &where)
+					      : !read_full_at(q, &n, &where))
+		return NULL;
+	const bool lets_light_through =
+		(n.terms > 3 && n.v[3] != 0) || (n.terms > 4 && n.v[4] != 0);
+	if (lets_light_through)
+		return NULL; /* that has no effect, which is to be said */
+	const struct colour_value colour = { n, NULL, true };
+	return node_number(q->p, item.word, up_to_here(q, item.at), item.at,
+		colour_rgb_only(q->p, colour, where), where);
+}
+
 static struct node *read_finish_item(struct quick *q)
 {
 	size_t start;
 	switch (next_word(q)) {
+	case K_AMBIENT:
+	case K_EMISSION:
+		return read_finish_colour(q);
 	case K_BRILLIANCE:
 	case K_CRAND:
 	case K_DIFFUSE:
@@ -146,79 +231,50 @@ static struct node *read_finish_item(struct quick *q)
 	return node_fit(q->p, item.word, up_to_here(q, item.at), item.at, start, "f");
 }
 
-static struct node *read_finish(struct quick *q)
+typedef struct node *item_reader(struct quick *);
+
+/* A block of items; the first may be a name for what `token` stands for. */
+static struct node *read_block(struct quick *q, int token, item_reader *read)
 {
 	const struct item item = take_word(q);
 	struct node_list list = list_none();
 	if (!quick_skip(q, '{'))
 		return NULL;
 	while (!quick_skip(q, '}')) {
-		struct node *node = read_finish_item(q);
+		struct node *node =
+			quick_next(q) == RAW_NAME && !list.first ? read_name(q, token) : read(q);
 		if (!node)
 			return NULL;
 		list = list_add(list, node);
 	}
-	return node_block(q->p, K_FINISH, up_to_here(q, item.at), item.at, list);
+	return node_block(q->p, item.word, up_to_here(q, item.at), item.at, list);
 }
 
 /* What may stand in a texture as well as in an object. */
 static struct node *read_look(struct quick *q)
 {
-	switch (next_word(q)) {
-	case K_TRANSLATE:
-	case K_ROTATE:
-	case K_SCALE:
-		return read_move(q);
-	case K_PIGMENT:
-		return read_pigment(q);
-	case K_FINISH:
-		return read_finish(q);
-	default:
-		return NULL;
-	}
+	const enum keyword word = next_word(q);
+	return is_move(word)	   ? read_move(q)
+	       : word == K_PIGMENT ? read_pigment(q)
+	       : word == K_FINISH  ? read_block(q, T_FINISH, read_finish_item)
+				   : NULL;
 }
 
-/* A declared texture. */
-static struct node *read_texture_name(struct quick *q)
+static bool is_flag(enum keyword word)
 {
-	const struct symbol *symbol;
-	const span where = raw_span_at(q->p, q->at);
-	const struct value *slot = quick_read_variable(q, &symbol);
-	if (!slot || slot->kind != VALUE_NODE || slot->token != T_TEXTURE)
-		return NULL;
-	const struct reference reference = { slot->node, symbol->text };
-	return node_reference(q->p, reference, up_to_here(q, where));
+	return word == K_INVERSE || word == K_NO_SHADOW;
 }
 
-static struct node *read_texture(struct quick *q)
-{
-	const struct item item = take_word(q);
-	struct node_list list = list_none();
-	if (!quick_skip(q, '{'))
-		return NULL;
-	while (!quick_skip(q, '}')) {
-		struct node *node = quick_next(q) == RAW_NAME && !list.first ? read_texture_name(q)
-									     : read_look(q);
-		if (!node)
-			return NULL;
-		list = list_add(list, node);
-	}
-	return node_block(q->p, K_TEXTURE, up_to_here(q, item.at), item.at, list);
-}
-
+/* None of those that only some objects may have. */
 static struct node *read_modifier(struct quick *q)
 {
-	switch (next_word(q)) {
-	case K_TEXTURE:
-		return read_texture(q);
-	case K_INVERSE:
-	case K_NO_SHADOW: {
-		const struct item item = take_word(q);
-		return node_new(q->p, item.word, item.at, item.at);
-	}
-	default:
+	const enum keyword word = next_word(q);
+	if (word == K_TEXTURE)
+		return read_block(q, T_TEXTURE, read_look);
+	if (!is_flag(word))
 		return read_look(q);
-	}
+	const struct item item = take_word(q);
+	return node_new(q->p, item.word, item.at, item.at);
 }
 
 /* -- Primitives --------------------------------------------------------------------------- */
@@ -267,12 +323,89 @@ static struct node *read_shape(struct quick *q)
 			return NULL;
 		body = body_add(body, node);
 	}
-	struct node *shape = shape_node(q->p, item.word, up_to_here(q, item.at), item.at, body);
-	shape_check_items(q->p, shape);
-	return shape;
+	return shape_node(q->p, item.word, up_to_here(q, item.at), item.at, body);
+}
+
+/* -- Compounds ---------------------------------------------------------------------------- */
+
+static struct node *read_object(struct quick *q);
+
+static bool is_csg(enum keyword word)
+{
+	return word == K_UNION || word == K_MERGE || word == K_INTERSECTION || word == K_DIFFERENCE;
+}
+
+static bool is_object(enum keyword word)
+{
+	return is_shape(word) || is_csg(word) || word == K_OBJECT;
+}
+
+static struct node *read_member(struct quick *q)
+{
+	return quick_next(q) == RAW_NAME ? read_name(q, T_OBJECT) : read_object(q);
+}
+
+static bool at_member(const struct quick *q)
+{
+	return quick_next(q) == RAW_NAME || is_object(next_word(q));
+}
+
+/* Objects, as many as `most`, and what is done to them. */
+static bool read_members(struct quick *q, size_t most, struct node_list *list)
+{
+	while (!quick_skip(q, '}')) {
+		const bool member = most && at_member(q);
+		struct node *node = member ? read_member(q) : read_modifier(q);
+		if (!node)
+			return false;
+		most = member ? most - 1 : 0; /* none behind the first modifier */
+		*list = list_add(*list, node);
+	}
+	return true;
+}
+
+static struct node *read_compound(struct quick *q)
+{
+	const struct item item = take_word(q);
+	struct node_list list = list_none();
+	const bool copies = item.word == K_OBJECT;
+	/* A name alone in the first place is a copy for the grammar, whatever the word says. */
+	if (!quick_skip(q, '{') || (copies ? !at_member(q) : quick_next(q) == RAW_NAME) ||
+		!read_members(q, copies ? 1 : SIZE_MAX, &list))
+		return NULL;
+	return node_block(q->p, item.word, up_to_here(q, item.at), item.at, list);
+}
+
+static struct node *read_object(struct quick *q)
+{
+	const struct raw_token *outer = q->object;
+	if (is_shape(next_word(q)))
+		return read_shape(q);
+	if (!quick_go_down(q))
+		return NULL;
+	q->object = q->at;
+	struct node *object = read_compound(q);
+	quick_go_up(q);
+	if (object)
+		q->object = outer;
+	return object;
 }
 
 /* -- Attempts ----------------------------------------------------------------------------- */
+
+/* Whether the object that begins next was open when an attempt failed. */
+static bool has_failed(const struct quick *q)
+{
+	const uint32_t position = (uint32_t)(q->at - q->frame->tokens);
+	return position >= q->frame->failed_from && position < q->frame->failed_to;
+}
+
+static void note_failure(struct parser *p, const struct quick *q)
+{
+	struct frame *f = top_frame(p->expand);
+	f->failed_from = f->position;
+	f->failed_to = (uint32_t)(q->object - f->tokens) + 1;
+}
 
 bool quick_item(struct parser *p, unsigned items, struct node **node, enum keyword *word, span *at,
 	bool *modifier)
@@ -280,17 +413,20 @@ bool quick_item(struct parser *p, unsigned items, struct node **node, enum keywo
 	struct quick q;
 	if (!quick_begin(&q, p))
 		return false;
-	const size_t height = args_height(p);
 	struct node *made = NULL;
 	*word = next_word(&q);
-	if (*word != K_NONE) {
+	if (*word != K_NONE && !is_flag(*word)) { /* messages name a flag that stands last */
 		*at = raw_span_at(p, q.at);
-		*modifier = !is_shape(*word);
+		*modifier = !is_object(*word);
 		if (*modifier)
 			made = items & ITEMS_MODIFIERS ? read_modifier(&q) : NULL;
 		else
-			made = items & ITEMS_OBJECTS ? read_shape(&q) : NULL;
+			made = items & ITEMS_OBJECTS && !has_failed(&q) ? read_object(&q) : NULL;
 	}
 	*node = made;
-	return quick_finish(&q, made != NULL, height);
+	if (quick_finish(&q, made != NULL))
+		return true;
+	if (q.object)
+		note_failure(p, &q);
+	return false;
 }

@@ -11,6 +11,7 @@
 
 #include "grammar.tab.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 const int keyword_token[KEYWORD_COUNT] = {
@@ -26,6 +27,12 @@ struct grammar *grammar_state(struct parser *p)
 	if (!p->grammar)
 		p->grammar = ARENA_NEW(p->arena, struct grammar);
 	return p->grammar;
+}
+
+void grammar_finish(struct parser *p)
+{
+	if (p->grammar)
+		free(p->grammar->args);
 }
 
 /* -- Open brackets ------------------------------------------------------------------------ */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The short way for numbers (parser/quick.c) against the grammar: small scenes
- * with random expressions, good ones and bad ones, are read with and without it.
- * The trees and the messages, with their places, must be the same to the byte.
+ * The short ways (parser/quick.c, quick_item.c) against the grammar: small scenes
+ * with random expressions and objects, good ones and bad ones, are read with and
+ * without them. The trees and the messages, with their places, must be the same to
+ * the byte.
  */
 #include "parser/parser.h"
 
@@ -13,14 +14,15 @@
 
 #include <cmocka.h>
 
-enum { SCENES = 4000, STATEMENTS = 4 };
+enum { SCENES = 6000, STATEMENTS = 4 };
 
 /* -- Random text -------------------------------------------------------------------------- */
 
 struct writer {
 	FILE *out;
 	uint32_t state;
-	bool wild; /* vectors and errors anywhere; else mostly right */
+	bool wild; /* vectors and errors anywhere in expressions; else mostly right */
+	bool odd;  /* objects may be wrong */
 };
 
 static unsigned pick(struct writer *w, unsigned count)
@@ -38,6 +40,13 @@ static void put(struct writer *w, const char *text)
 	do {                                                                                       \
 		static const char *const list[] = { __VA_ARGS__ };                                 \
 		put((w), list[pick((w), sizeof list / sizeof *list)]);                             \
+	} while (0)
+
+/* The first `good` are right wherever they are put. */
+#define PUT_GOOD_OF(w, good, ...)                                                                  \
+	do {                                                                                       \
+		static const char *const list[] = { __VA_ARGS__ };                                 \
+		put((w), list[pick((w), (w)->odd ? sizeof list / sizeof *list : (good))]);         \
 	} while (0)
 
 static void put_full(struct writer *w, unsigned depth);
@@ -180,9 +189,122 @@ static void put_full(struct writer *w, unsigned depth)
 	}
 }
 
+/* Something a little out of the ordinary, now and then. */
+static void put_surprise(struct writer *w)
+{
+	if (!pick(w, 12))
+		PUT_GOOD_OF(w, 3, "#if (F > 1) no_shadow #end ", "#declare F = F + 1; ",
+			"no_image ", "Macro() ", "hollow off ", "Ball ", "; ", "sturm ", "} ",
+			"Members() ", "x ", "clipped_by { Ball } ", "A[0] ");
+}
+
+static void put_look(struct writer *w)
+{
+	switch (pick(w, 9)) {
+	case 0:
+		put(w, "pigment { color rgb ");
+		put_float(w, 1);
+		PUT_GOOD_OF(w, 2, " } ", " filter 0.5 } ", " - ");
+		break;
+	case 1:
+		PUT_GOOD_OF(w, 6, "pigment { C } ", "pigment { P } ", "pigment { P scale 2 } ",
+			"pigment { color C } ", "pigment { rgbf V } ", "pigment { checker } ",
+			"pigment { V } ", "pigment { Look } ", "pigment { srgb V } ");
+		break;
+	case 2:
+		put(w, "finish { ");
+		PUT_GOOD_OF(w, 8, "ambient ", "diffuse ", "reflection ", "phong ", "emission rgb ",
+			"specular albedo ", "ambient color ", "Shine ambient ", "diffuse 1, ",
+			"ambient x ");
+		put_float(w, 1);
+		PUT_GOOD_OF(w, 4, " phong 1 } ", " } ", " metallic } ", " reflection C } ",
+			" filter 1 } ", " Shine } ");
+		break;
+	case 3:
+		put(w, "texture { ");
+		PUT_GOOD_OF(w, 5, "Look ", "Looks[1] ", "", "pigment { rgb 1 } ", "P ", "Ball ");
+		PUT_GOOD_OF(w, 5, "} ", "translate V } ", "finish { phong F } rotate 5*x } ",
+			"finish { Shine } } ", "pigment { P } } ", "Look } ", "finish { x } } ");
+		break;
+	case 4:
+	case 5:
+		PUT_ONE_OF(w, "translate ", "rotate ", "scale ");
+		put_float(w, 1);
+		put(w, " ");
+		break;
+	case 6:
+		PUT_GOOD_OF(w, 5, "no_shadow ", "inverse ", "finish { Shine } ", "rotate V ",
+			"photons { target } ", "scale 0 ", "open ", "hollow ");
+		break;
+	default:
+		break;
+	}
+	put_surprise(w);
+}
+
+static void put_looks(struct writer *w)
+{
+	for (unsigned i = pick(w, 4); i > 0; i--)
+		put_look(w);
+}
+
+static void put_primitive(struct writer *w)
+{
+	PUT_GOOD_OF(w, 6, "sphere { V, ", "sphere { <1, 2, 3> ", "cylinder { 0, y, ", "torus { 2, ",
+		"plane { y ", "disc { 0, y, 2, ", "cone { 0, 1, y, ", "Ball ", "sphere { Ball ");
+	put_float(w, 1);
+	put(w, " ");
+	put_looks(w);
+	put(w, "} ");
+}
+
+static void put_object(struct writer *w, unsigned depth);
+
+static void put_members(struct writer *w, unsigned depth)
+{
+	put_object(w, depth);
+	for (unsigned i = pick(w, 4); i > 0; i--) {
+		if (w->odd && !pick(w, 6))
+			put_look(w); /* behind it no more members may come */
+		else if (pick(w, 4))
+			put_object(w, depth);
+		else
+			PUT_GOOD_OF(w, 5, "Ball ", "object { Ball } ", "Balls[1] ",
+				"#local L = 1; ", "Members() ", "Look ", "no_shadow ");
+	}
+}
+
+static void put_object(struct writer *w, unsigned depth)
+{
+	if (!depth || !pick(w, 3)) {
+		put_primitive(w);
+		return;
+	}
+	if (!pick(w, 3)) {
+		PUT_GOOD_OF(w, 3, "object { Ball ", "object { Balls[0] ", "object { Member(V) ",
+			"object { Balls[F] ", "object { Look ", "object { Ball Ball ", "object { ");
+	} else {
+		PUT_ONE_OF(w, "union { ", "union { ", "difference { ", "intersection { ",
+			"merge { ", "composite { ");
+		if (pick(w, 9))
+			put_members(w, depth - 1);
+	}
+	put_looks(w);
+	put(w, "} ");
+}
+
 static void put_statement(struct writer *w)
 {
-	switch (pick(w, 11)) {
+	switch (pick(w, 14)) {
+	case 11:
+	case 12:
+		put_object(w, 4);
+		break;
+	case 13:
+		PUT_ONE_OF(w, "#declare Ball = ", "#for (I, 0, 2) ");
+		put_object(w, 3);
+		PUT_ONE_OF(w, "", "", "#end");
+		break;
 	case 0:
 		put(w, "#declare F = ");
 		put_sum(w, 3);
@@ -269,7 +391,13 @@ static void put_scene(struct writer *w)
 	       "#macro Show(X, Y) #ifdef (X) #debug str(X*1, 0, 3) #end sphere { <X, 1, Y>, Y/2 } "
 	       "#end\n"
 	       "#macro Change(X, Y) #declare X = Y + 1; #end\n"
-	       "#macro Give(X, Y) #declare F = M(Y); #end\n");
+	       "#macro Give(X, Y) #declare F = M(Y); #end\n"
+	       "#macro Member(P) sphere { P, 1 } #end #macro Members() Ball union { sphere { 0, 1 "
+	       "} } "
+	       "#end\n"
+	       "#declare Ball = sphere { 0, 1 } #declare Balls = array[2] { Ball, Ball };\n"
+	       "#declare P = pigment { rgb 1 } #declare Shine = finish { phong 1 }\n"
+	       "#declare Look = texture { P } #declare Looks = array[2] { Look, Look };\n");
 	for (unsigned i = 0; i < STATEMENTS; i++)
 		put_statement(w);
 }
@@ -318,7 +446,8 @@ static void test_same(void **state)
 	for (uint32_t i = 0; i < SCENES; i++) {
 		char *text;
 		size_t size;
-		struct writer w = { open_memstream(&text, &size), 2654435761u * (i + 1), i % 2 };
+		struct writer w = { open_memstream(&text, &size), 2654435761u * (i + 1), i % 3 == 1,
+			i % 3 == 2 };
 		put_scene(&w);
 		fclose(w.out);
 		char *quick = read_scene(text, size, false), *slow = read_scene(text, size, true);
