@@ -14,7 +14,7 @@
 #include "render/antialias.h"
 
 #include "base/arena.h"
-#include "render/hash.h"
+#include "render/tables.h"
 
 #include <stdlib.h>
 
@@ -51,11 +51,29 @@ static struct sample draw(struct sampler *s, double x, double y)
 }
 
 /* The sample that belongs to (x, y), drawn at a displaced position. */
+/* Truncates toward zero; positions are a few pixels outside a picture at most. */
+static uint32_t lattice(double v)
+{
+	return (uint32_t)(int32_t)v;
+}
+
+static double jitter_entry(uint32_t column, uint32_t row)
+{
+	const uint32_t cell = hash_table[column & 4095] ^ row;
+	return (double)jitter_table[hash_table[cell & 4095] & 255];
+}
+
+void sample_jitter(double x, double y, double out[2])
+{
+	out[0] = jitter_entry(lattice(1021 * x), lattice(1019 * y));
+	out[1] = jitter_entry(lattice(1019 * x), lattice(1021 * y));
+}
+
 static colour trace_jittered(struct sampler *s, double x, double y)
 {
 	if (s->jitter > 0) {
 		double by[2];
-		hash_jitter(x, y, by);
+		sample_jitter(x, y, by);
 		return s->source(s->user, x + by[0] * s->jitter, y + by[1] * s->jitter);
 	}
 	return s->source(s->user, x, y);

@@ -48,4 +48,8 @@ void sampler_finish(struct sampler *);
  * cancelled block is left unfinished. */
 void sampler_block(struct sampler *, struct film *, struct block);
 
+/* The displacement of the sample at (x, y), each component in [-1/2, 1/2). Pixel units: integers
+ * are pixel centres, (0, 0) is the top left pixel of the whole picture. */
+void sample_jitter(double x, double y, double out[2]);
+
 #endif

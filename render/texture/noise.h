@@ -8,7 +8,7 @@
 
 #include "base/arena.h"
 #include "base/vec3.h"
-#include "render/hash.h"
+#include "render/tables.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -35,13 +35,6 @@ struct wave_sources {
 	const struct wave_source *items;
 };
 struct wave_sources wave_sources_make(struct arena *, size_t count);
-
-/* Constant tables, written by generate_tables.c. */
-extern const double noise_reals[267];
-extern const uint8_t hash_low[4096]; /* low bytes of hash_table */
-extern const double noise_gradients[2048][3];
-extern const uint16_t noise_permutation[2048];
-extern const double cell_uniforms[4098]; /* 0 to 1, by hash of a cell plus 0, 1, 2 */
 
 /* The hash of a unit cell, for cell_uniforms. */
 static inline unsigned cell_hash(int64_t x, int64_t y, int64_t z)

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "render/antialias.h"
-#include "render/hash.h"
+#include "render/tables.h"
 
 #include <math.h>
 #include <string.h>
@@ -52,7 +52,7 @@ static void jitter_follows_its_formula(void **state)
 	(void)state;
 	for (unsigned k = 0; k < 4096; k++) {
 		double j[2];
-		hash_jitter(0, (k + 0.5) / 1019, j);
+		sample_jitter(0, (k + 0.5) / 1019, j);
 		const unsigned cell = hash_table[(hash_table[0] ^ k) & 4095] & 255;
 		assert_true(fabs(j[0] - crc_entry(cell)) < 1e-7);
 	}
@@ -69,7 +69,7 @@ static void jitter_reference_values(void **state)
 	};
 	for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
 		double j[2];
-		hash_jitter(cases[i][0], cases[i][1], j);
+		sample_jitter(cases[i][0], cases[i][1], j);
 		assert_true(fabs(j[0] - cases[i][2]) < 1e-6);
 		assert_true(fabs(j[1] - cases[i][3]) < 1e-6);
 	}
@@ -240,7 +240,7 @@ static void samples_are_displaced(void **state)
 	for (int i = 0; i < 4; i++) {
 		const double x = 3 + (i % 2 ? 0.25 : -0.25), y = 2 + (i / 2 ? 0.25 : -0.25);
 		double j[2];
-		hash_jitter(x, y, j);
+		sample_jitter(x, y, j);
 		assert_true(fabs(p.at[3 + i][0] - (x + j[0] * 0.25)) < 1e-12);
 		assert_true(fabs(p.at[3 + i][1] - (y + j[1] * 0.25)) < 1e-12);
 	}

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Writes the constant tables of noise and cellular patterns as a C file; run by
- * the build. Every table follows from a short rule given at its function.
+ * Writes the constant tables of hashing, noise and cellular patterns as a C file;
+ * run by the build. Every table follows from a short rule given at its function.
  */
-#include "render/hash.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -11,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { REAL_COUNT = 267, GRADIENT_COUNT = 2048, UNIFORM_COUNT = 4098 };
+enum { HASH_COUNT = 4096, REAL_COUNT = 267, GRADIENT_COUNT = 2048, UNIFORM_COUNT = 4098 };
 
 /* One step of the linear congruential generator: 15 bits. */
 static unsigned lcg(uint32_t *state)
@@ -20,12 +19,25 @@ static unsigned lcg(uint32_t *state)
 	return (*state >> 16) & 0x7fff;
 }
 
-/* The low bytes of hash_table. */
+/* A permutation: from the last place to the first each is exchanged with a random one. And the low
+ * bytes of that. */
 static void write_hash(FILE *out)
 {
-	fputs("const uint8_t hash_low[4096] = {", out);
-	for (unsigned i = 0; i < 4096; i++)
-		fprintf(out, "%s%u,", i % 16 ? "" : "\n\t", hash_table[i] & 0xffu);
+	static unsigned hash[HASH_COUNT];
+	uint32_t state = 0;
+	for (unsigned i = 0; i < HASH_COUNT; i++)
+		hash[i] = i;
+	for (unsigned i = HASH_COUNT; i-- > 0;) {
+		const unsigned j = lcg(&state) % HASH_COUNT, kept = hash[i];
+		hash[i] = hash[j];
+		hash[j] = kept;
+	}
+	fputs("const uint16_t hash_table[4096] = {", out);
+	for (unsigned i = 0; i < HASH_COUNT; i++)
+		fprintf(out, "%s%u,", i % 16 ? "" : "\n\t", hash[i]);
+	fputs("\n};\n\nconst uint8_t hash_low[4096] = {", out);
+	for (unsigned i = 0; i < HASH_COUNT; i++)
+		fprintf(out, "%s%u,", i % 16 ? "" : "\n\t", hash[i] & 0xffu);
 	fputs("\n};\n\n", out);
 }
 
@@ -39,6 +51,19 @@ static unsigned crc16(const unsigned char *bytes, size_t count)
 			crc = crc & 1 ? crc >> 1 ^ 0xa001u : crc >> 1;
 	}
 	return crc;
+}
+
+/* Checksums of single bytes, without their highest bit, in -1/2 to 1/2 with six decimals,
+ * halves rounded away from 0. */
+static void write_jitter(FILE *out)
+{
+	fputs("const float jitter_table[256] = {\n", out);
+	for (int i = 0; i < 256; i++) {
+		const unsigned char byte = (unsigned char)i;
+		const double entry = (crc16(&byte, 1) & 0x7fff) / 32768.0 - 0.5;
+		fprintf(out, "\t%.6ff,\n", round(1e6 * entry) / 1e6);
+	}
+	fputs("};\n\n", out);
 }
 
 /* Checksums of the multiples of 0.12345, as numbers of six digits in -1 to 1. */
@@ -128,8 +153,9 @@ int main(int argc, char **argv)
 		fprintf(stderr, "usage: generate_tables FILE\n");
 		return 1;
 	}
-	fputs("/* Written by generate_tables.c. */\n#include \"render/texture/noise.h\"\n\n", out);
+	fputs("/* Written by generate_tables.c. */\n#include \"render/tables.h\"\n\n", out);
 	write_hash(out);
+	write_jitter(out);
 	write_reals(out);
 	write_gradients(out);
 	write_uniforms(out);
