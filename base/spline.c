@@ -39,9 +39,9 @@ static double quadratic(const struct curve *c, size_t i, double p)
 	const double b =
 		(v1 * (t2 * t2 - t3 * t3) + v2 * (t3 * t3 - t1 * t1) + v3 * (t1 * t1 - t2 * t2)) /
 		d;
-	const double e = (v1 * (t2 * t3 * t3 - t2 * t2 * t3) + v2 * (t1 * t1 * t3 - t1 * t3 * t3) +
-				 v3 * (t1 * t2 * t2 - t1 * t1 * t2)) /
-			 d;
+	const double e =
+		(v1 * t2 * t3 * (t3 - t2) + v2 * t1 * t3 * (t1 - t3) + v3 * t1 * t2 * (t2 - t1)) /
+		d;
 	return (a * p + b) * p + e;
 }
 
