@@ -83,6 +83,12 @@ struct macro {
 	uint32_t last_site;
 };
 
+/* What a macro is called with. */
+struct argument {
+	struct value value;
+	struct value *slot; /* stands for this variable of the caller; NULL: by value */
+};
+
 struct unread {
 	int token;
 	span where;

@@ -81,11 +81,6 @@ bool macro_define(struct parser *p, const struct directive *d, span opened)
 
 /* -- Call --------------------------------------------------------------------------------- */
 
-struct argument {
-	struct value value;
-	struct value *slot; /* stands for this variable of the caller; NULL: by value */
-};
-
 static bool is_reference(const struct parser *p, const struct gate *g)
 {
 	return g->delivered == 1 && g->slot && g->first != T_FUNCTION &&
@@ -97,18 +92,11 @@ static bool read_argument(struct parser *p, struct argument *a)
 	struct gate gate;
 	gate_open(p, &gate, true);
 	const bool ok = parse_declared(p, &a->value) && !p->failed;
-	if (ok && is_reference(p, &gate))
-		a->slot = gate.slot;
-	else if (ok)
+	a->slot = ok && is_reference(p, &gate) ? gate.slot : NULL;
+	if (ok && !a->slot)
 		a->value = value_copy(p->arena, &a->value);
 	gate_close(p);
 	return ok;
-}
-
-/* The commonest arguments. */
-static bool read_plain_argument(struct parser *p, struct argument *a)
-{
-	return quick_variable(p, &a->slot) || quick_value(p, &a->value);
 }
 
 static bool report_count(
@@ -124,12 +112,14 @@ static bool report_count(
 
 static bool read_arguments(struct parser *p, const struct macro *m, struct argument *arguments)
 {
+	if (quick_arguments(p, arguments, m->parameter_count))
+		return true;
 	if (!expect(p, '(', "'(' behind the name of a macro"))
 		return false;
 	for (unsigned i = 0; i < m->parameter_count; i++) {
 		struct token_value v;
 		span where;
-		if (read_plain_argument(p, &arguments[i])) {
+		if (quick_argument(p, &arguments[i])) {
 			accept(p, ',');
 			continue;
 		}
@@ -210,13 +200,8 @@ static bool enter_body(
 bool macro_call(struct parser *p, struct symbol *symbol, span call)
 {
 	struct macro *m = symbol->slot->macro;
-	struct argument *arguments = NULL;
-	struct argument few[8];
+	struct argument arguments[MAX_PARAMETERS];
 	struct gate gate;
-	if (m->parameter_count > 8)
-		arguments = ARENA_ARRAY(p->arena, m->parameter_count, struct argument);
-	else
-		memset(arguments = few, 0, m->parameter_count * sizeof few[0]);
 	gate_open(p, &gate, false);
 	const bool ok = read_arguments(p, m, arguments);
 	gate_close(p);

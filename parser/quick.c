@@ -433,26 +433,18 @@ bool quick_begin(struct quick *q, struct parser *p)
 	q->depth = 0;
 	q->object = NULL;
 	q->arg_count = args_height(p);
-	q->levels_read = p->levels_read;
-	q->parts_read = p->parts_read;
-	q->tree = arena_mark(p->tree);
 	q->draw_count = 0;
 	p->trial = true;
 	p->refused = false;
 	return true;
 }
 
-/* All that an attempt allocates is nodes of the tree. */
-static void undo(struct quick *q)
+/* Puts the streams back to where they were after the first `kept` draws. */
+static void undo_draws(struct quick *q, unsigned kept)
 {
-	struct parser *p = q->p;
-	p->grammar->arg_count = q->arg_count;
-	p->levels_read = q->levels_read;
-	p->parts_read = q->parts_read;
-	arena_rewind(p->tree, q->tree);
-	while (q->draw_count) {
+	while (q->draw_count > kept) {
 		const struct draw *d = &q->draws[--q->draw_count];
-		p->seeds[d->stream] = d->state;
+		q->p->seeds[d->stream] = d->state;
 	}
 }
 
@@ -462,7 +454,8 @@ bool quick_finish(struct quick *q, bool good)
 	struct expand *x = p->expand;
 	p->trial = false;
 	if (!good || p->refused) {
-		undo(q);
+		p->grammar->arg_count = q->arg_count;
+		undo_draws(q, 0);
 		return false;
 	}
 	struct frame *f = &x->frames[x->frame_count - 1];
@@ -606,18 +599,56 @@ bool quick_sum(struct parser *p, enum quick_place place, struct number *n, span 
 	return true;
 }
 
-bool quick_variable(struct parser *p, struct value **slot)
+static bool may_be_referred_to(const struct value *v)
+{
+	return v && (v->kind == VALUE_NUMBER || v->kind == VALUE_COLOUR ||
+			    v->kind == VALUE_STRING || v->kind == VALUE_ARRAY);
+}
+
+/* A variable or element alone is passed by reference. */
+static bool read_reference(struct quick *q, struct value **slot)
+{
+	const struct raw_token *first = q->at;
+	const unsigned draws = q->draw_count;
+	const struct symbol *symbol;
+	if (quick_next(q) != RAW_NAME)
+		return false;
+	*slot = quick_read_variable(q, &symbol);
+	if (may_be_referred_to(*slot) && at_close(q))
+		return true;
+	q->at = first;
+	undo_draws(q, draws);
+	return false;
+}
+
+static bool read_argument(struct quick *q, struct argument *a)
+{
+	struct number n;
+	if (read_reference(q, &a->slot))
+		return true;
+	if (begins_with_t(q) || !quick_read_sum(q, &n) || !at_close(q))
+		return false;
+	a->slot = NULL;
+	a->value = value_number(number_plain(n));
+	return true;
+}
+
+bool quick_argument(struct parser *p, struct argument *a)
 {
 	struct quick q;
-	const struct symbol *symbol;
-	if (!quick_begin(&q, p))
-		return false;
-	struct value *found = quick_next(&q) == RAW_NAME ? quick_read_variable(&q, &symbol) : NULL;
-	const enum value_kind kind = found ? found->kind : VALUE_NONE;
-	const bool plain = kind == VALUE_NUMBER || kind == VALUE_COLOUR || kind == VALUE_STRING ||
-			   kind == VALUE_ARRAY;
-	if (!quick_finish(&q, plain && at_close(&q)))
-		return false;
-	*slot = found;
-	return true;
+	return quick_begin(&q, p) && quick_finish(&q, read_argument(&q, a));
+}
+
+static bool read_arguments(struct quick *q, struct argument *arguments, unsigned count)
+{
+	bool fine = quick_skip(q, '(');
+	for (unsigned i = 0; fine && i < count; i++)
+		fine = (!i || quick_skip(q, ',')) && read_argument(q, &arguments[i]);
+	return fine && quick_skip(q, ')');
+}
+
+bool quick_arguments(struct parser *p, struct argument *arguments, unsigned count)
+{
+	struct quick q;
+	return quick_begin(&q, p) && quick_finish(&q, read_arguments(&q, arguments, count));
 }

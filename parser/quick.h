@@ -30,9 +30,11 @@ bool quick_float(struct parser *, enum quick_level, double *);
 /* A sum within brackets, and where it stands; not a word alone that stands
  * for more than a float. */
 bool quick_sum(struct parser *, enum quick_place, struct number *, span *);
-/* A variable or an element of an array alone, before a comma or ')', which stays: where its value
- * is. */
-bool quick_variable(struct parser *, struct value **);
+/* An argument of a macro that is a variable, an element of an array or a sum, before a comma or ')',
+ * which stays. */
+bool quick_argument(struct parser *, struct argument *);
+/* As many of them as said, in parentheses. */
+bool quick_arguments(struct parser *, struct argument *, unsigned count);
 
 /* quick_item.c: which items may stand next. */
 enum quick_items {
@@ -59,10 +61,8 @@ struct quick {
 	const struct raw_token *at, *end;
 	unsigned depth;
 	const struct raw_token *object; /* the innermost that is open, or was at the failure */
-	/* What the attempt has changed, to be put back if it fails. */
-	size_t arg_count;
-	uintptr_t levels_read, parts_read;
-	struct arena_mark tree;
+	size_t arg_count; /* before */
+	/* What rand() has changed, to be put back if the attempt fails. */
 	struct draw {
 		size_t stream;
 		uint32_t state;

@@ -393,6 +393,19 @@ static struct node *read_object(struct quick *q)
 
 /* -- Attempts ----------------------------------------------------------------------------- */
 
+/* What making nodes changes; nothing else is allocated. */
+struct before {
+	struct arena_mark tree;
+	uintptr_t levels_read, parts_read;
+};
+
+static void undo(struct parser *p, const struct before *before)
+{
+	arena_rewind(p->tree, before->tree);
+	p->levels_read = before->levels_read;
+	p->parts_read = before->parts_read;
+}
+
 /* Whether the object that begins next was open when an attempt failed. */
 static bool has_failed(const struct quick *q)
 {
@@ -413,6 +426,7 @@ bool quick_item(struct parser *p, unsigned items, struct node **node, enum keywo
 	struct quick q;
 	if (!quick_begin(&q, p))
 		return false;
+	const struct before before = { arena_mark(p->tree), p->levels_read, p->parts_read };
 	struct node *made = NULL;
 	*word = next_word(&q);
 	if (*word != K_NONE && !is_flag(*word)) { /* messages name a flag that stands last */
@@ -426,6 +440,7 @@ bool quick_item(struct parser *p, unsigned items, struct node **node, enum keywo
 	*node = made;
 	if (quick_finish(&q, made != NULL))
 		return true;
+	undo(p, &before);
 	if (q.object)
 		note_failure(p, &q);
 	return false;
