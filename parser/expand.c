@@ -92,8 +92,10 @@ bool next_piece(struct expand *x)
 	follow_tokens(x, f->source);
 	f->position = f->source->piece;
 	f->end = f->source->count;
-	if (x->statement.frames == x->frame_count)
+	if (x->statement.frames == x->frame_count) {
 		x->statement.position = f->position;
+		x->statement.skippable &= !f->source->piece_splits;
+	}
 	return true;
 }
 

@@ -25,6 +25,25 @@ static bool plain_component(const struct frame *f, uint32_t *at, double *value)
 	return true;
 }
 
+static bool ends_row(unsigned next)
+{
+	return next == ',' || next == '<' || next == '}' || next == RAW_INTEGER;
+}
+
+/* Whether the text goes on with another vector behind this piece of it. */
+static bool is_split(const struct frame *f)
+{
+	return !f->is_macro && f->source->rest;
+}
+
+static void step_to(struct parser *p, uint32_t position)
+{
+	struct frame *f = top_frame(p->expand);
+	p->expand->work += position - f->position;
+	p->token_count += position - f->position;
+	f->position = position;
+}
+
 bool expand_plain_row(struct parser *p, unsigned terms, double *v)
 {
 	struct expand *x = p->expand;
@@ -37,15 +56,11 @@ bool expand_plain_row(struct parser *p, unsigned terms, double *v)
 			f->tokens[at++].kind != (i + 1 < terms ? ',' : '>'))
 			return false;
 	}
-	if (at == f->end)
+	if (at == f->end ? !is_split(f) : !ends_row(f->tokens[at].kind))
 		return false;
-	const unsigned next = f->tokens[at].kind;
-	if (next != ',' && next != '<' && next != '}' && next != RAW_INTEGER)
-		return false;
-	at += next == ',';
-	x->work += at - f->position;
-	p->token_count += at - f->position;
-	f->position = at;
+	step_to(p, at);
+	if (at < f->end || next_piece(x))
+		step_to(p, f->position + (f->tokens[f->position].kind == ','));
 	return true;
 }
 
@@ -68,9 +83,7 @@ bool expand_plain_vector(struct parser *p, struct number *number, span *last)
 		at += kind == ',';
 	}
 	*last = (span){ f->source->number, f->tokens[at].offset, 1, f->site };
-	x->work += at + 1 - f->position;
-	p->token_count += at + 1 - f->position;
-	f->position = at + 1;
+	step_to(p, at + 1);
 	x->before = *x->gate;
 	gate_note(x->gate, '>', &(const struct token_value){ .keyword = K_NONE });
 	number->terms = (uint8_t)terms;

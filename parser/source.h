@@ -6,9 +6,9 @@
  * skipping text is one jump.
  *
  * A large scene is lexed in pieces, each when the one before has been read: it ends
- * behind a closing brace between two statements, outside of any block. The next piece
- * takes the room of the tokens that nobody will read again, which are all but those
- * of pieces with macros.
+ * behind a closing brace between two statements or, within a very long one, behind a
+ * vector, and outside of any block. The next piece takes the room of the tokens that
+ * nobody will read again, which are all but those of pieces with macros.
  */
 #ifndef LAMBERT_PARSER_SOURCE_H
 #define LAMBERT_PARSER_SOURCE_H
@@ -65,6 +65,7 @@ struct source {
 	bool is_piecewise;   /* the text was not lexed all at once */
 	/* where the present piece begins */
 	uint32_t piece, piece_number, piece_directive;
+	bool piece_splits; /* a statement began before */
 	const char *error; /* of the last token if that is RAW_ERROR */
 	uint32_t error_offset, error_length;
 	const char *error_note; /* a second place: where the string began …; NULL: none */
