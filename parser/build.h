@@ -198,6 +198,14 @@ void set_gamma(struct parser *, float, span);
 void set_noise(struct parser *, double, span);
 void set_charset(struct parser *, const struct node *);
 
+/* -- flat.c ------------------------------------------------------------------------------- */
+
+/* An item of a pigment, normal or finish that stands in the texture itself. */
+struct node *flat_block(struct parser *, enum keyword block, span whole, struct node_list items);
+struct node *flat_ramp(struct parser *, enum keyword pattern, span);
+/* A float alone is crand, anything else the colour of the pigment. */
+struct node *flat_number(struct parser *, struct colour_value, span);
+
 /* -- shape.c ------------------------------------------------------------------------------ */
 
 /* Primitives: the arguments are checked against a table. */

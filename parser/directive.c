@@ -34,19 +34,32 @@ static bool read_version(struct parser *p, span where)
 	return true;
 }
 
+/* Behind `unofficial`: scenes of patched programs give the name of theirs. */
+static bool refuse_patched(struct parser *p)
+{
+	const struct raw_token *raw = raw_peek(p);
+	const struct name *name =
+		raw && raw->kind == RAW_NAME ? &p->expand->names.list[raw->payload] : NULL;
+	if (!name || name->binding)
+		return false;
+	if (!strcmp(name->text, "lambert"))
+		parser_error(p, raw_span(p), "not supported yet: extensions of the language");
+	else
+		parser_error(p, raw_span(p),
+			"the scene is written for %s: the language read here is that of POV-Ray "
+			"3.7",
+			name->text);
+	return true;
+}
+
 static bool version_run(struct parser *p, span where)
 {
 	const struct raw_token *raw = raw_peek(p);
 	if (raw && raw->kind == RAW_NAME &&
 		!strcmp(p->expand->names.list[raw->payload].text, "unofficial")) {
 		raw_take(p);
-		raw = raw_peek(p);
-		if (raw && raw->kind == RAW_NAME &&
-			!strcmp(p->expand->names.list[raw->payload].text, "lambert")) {
-			parser_error(
-				p, raw_span(p), "not supported yet: extensions of the language");
+		if (refuse_patched(p))
 			return false;
-		}
 	}
 	return read_version(p, where);
 }

@@ -164,6 +164,8 @@ static int keyword_value(struct parser *p, enum keyword keyword, struct token_va
 	v->keyword = keyword;
 	if (keyword == K_DEFINED)
 		return identifier_defined(p, &defined) ? number_token(v, defined) : 0;
+	if (keyword == K_TEXTURE && p->state->version < 300)
+		return T_FLAT_TEXTURE;
 	return constant_value(p, keyword, &value) ? number_token(v, value) : keyword_token[keyword];
 }
 
@@ -215,6 +217,15 @@ static int at_end(struct parser *p, span *where)
 	if (!p->failed && p->expand->frame_count == 1)
 		block_report_open(p);
 	return 0;
+}
+
+/* Before version 1.5 there are sums in parentheses only: a sign begins the next number, as in
+ * <0 0 -1>. */
+static bool separates_numbers(const struct parser *p, int sign)
+{
+	const struct gate *g = p->expand->gate;
+	return (sign == '-' || sign == '+') && p->state->version < 150 && g->operand &&
+	       !g->parentheses;
 }
 
 static int fetch_raw(struct parser *p, struct token_value *v, span *where)
@@ -270,6 +281,8 @@ static int fetch_raw(struct parser *p, struct token_value *v, span *where)
 		raw_report_lexical(p, f);
 		return 0;
 	default:
+		if (separates_numbers(p, (int)raw.kind))
+			return ','; /* and then the sign */
 		raw_step(p);
 		return (int)raw.kind;
 	}

@@ -61,15 +61,16 @@ struct block {
  * follows a complete operand is held: it must not happen before the expression is used. */
 struct gate {
 	struct gate *outer;
-	bool hold;	    /* held behind operands at depth 0; else always live */
-	bool operand;	    /* a complete operand precedes */
-	bool dot;	    /* a period precedes */
-	unsigned depth;	    /* open brackets */
-	uint64_t angles;    /* one bit per bracket, innermost lowest: it is '<' */
-	unsigned delivered; /* tokens */
-	int first;	    /* the first token … */
-	struct value *slot; /* … and, for an identifier, where its value is */
-	unsigned table;	    /* and in which symbol table */
+	bool hold;	      /* held behind operands at depth 0; else always live */
+	bool operand;	      /* a complete operand precedes */
+	bool dot;	      /* a period precedes */
+	unsigned depth;	      /* open brackets */
+	unsigned parentheses; /* of them: ( */
+	uint64_t angles;      /* one bit per bracket, innermost lowest: it is '<' */
+	unsigned delivered;   /* tokens */
+	int first;	      /* the first token … */
+	struct value *slot;   /* … and, for an identifier, where its value is */
+	unsigned table;	      /* and in which symbol table */
 };
 
 struct macro {

@@ -56,11 +56,17 @@ void gate_note(struct gate *g, int token, const struct token_value *v)
 	g->dot = token == '.';
 	switch (token) {
 	case '(':
+		g->parentheses++;
+		gate_bracket(g, false);
+		break;
 	case '[':
 	case '{':
 		gate_bracket(g, false);
 		break;
 	case ')':
+		g->parentheses -= g->parentheses > 0;
+		gate_unbracket(g);
+		break;
 	case ']':
 	case '}':
 		gate_unbracket(g);

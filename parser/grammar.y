@@ -108,6 +108,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %token <callee> T_FUNCTION "a function" T_VECTOR_FUNCTION "a vector function"
 %token <spline> T_SPLINE "a spline identifier"
 %token <symbol> T_ARRAY "an array"
+%token <keyword> T_FLAT_TEXTURE "a texture of version 2"
 %token T_MACRO "a macro" T_FILE "a file handle" T_HASH "#"
 %token <name> T_UNDECLARED "an undeclared word"
 %token T_LE "<=" T_GE ">=" T_NE "!="
@@ -130,7 +131,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 	KW_VNORMALIZE KW_VROTATE KW_VSTR KW_VTURBULENCE KW_X KW_Y KW_Z
 %left ','
 %left '(' '{' T_SPLINE
-%left KW_TEXTURE KW_RED KW_GREEN KW_BLUE KW_FILTER KW_TRANSMIT KW_ALPHA
+%left KW_TEXTURE T_FLAT_TEXTURE KW_RED KW_GREEN KW_BLUE KW_FILTER KW_TRANSMIT KW_ALPHA
 %left '?' ':'
 %left '&' '|'
 %left '<' '>' '=' T_LE T_GE T_NE
@@ -854,7 +855,7 @@ face_tail:
 	;
 face_detail:
 	  KW_UV_VECTORS three { $$ = node_fit(p, $1, @$, @1, $2, "222"); }
-	| KW_TEXTURE '{' triangle_texture '}'
+	| texture_word '{' triangle_texture '}'
 		{ $$ = node_block(p, K_TRIANGLE_TEXTURES, @$, @1, list_one($3)); }
 	| KW_TEXTURE_LIST '{' triangle_texture oc triangle_texture oc triangle_texture '}'
 		{ $$ = node_block(p, K_TRIANGLE_TEXTURES, @$, @1,
@@ -1021,7 +1022,11 @@ importance_items:
 %type <keyword> plain_pattern float_pattern list_word image_type pattern_float;
 %type <keyword> pattern_vector pattern_flag bitmap_flag bitmap_float bitmap_pair share_word;
 
-texture: KW_TEXTURE '{' texture_body '}' { $$ = node_block(p, $1, @$, @1, $3); } ;
+texture:
+	  KW_TEXTURE '{' texture_body '}' { $$ = node_block(p, $1, @$, @1, $3); }
+	| T_FLAT_TEXTURE '{' flat_body '}' { $$ = node_block(p, $1, @$, @1, $3); }
+	;
+texture_word: KW_TEXTURE | T_FLAT_TEXTURE ;
 texture_body:
 	  texture_items_plain
 	| pattern pattern_modifiers { $$ = list_join(list_one($1), $2); }
@@ -1058,6 +1063,70 @@ texture_tail:
 tiles: KW_TILES '{' textures KW_TILE2 textures '}'
 		{ $$ = node_block(p, $1, @$, @1,
 			list_add($3, node_block(p, $4, @4, @4, $5))); }
+	;
+/* Before version 3.0 the items of pigment, normal and finish stand in the texture itself, where each changes
+ * what there is already, as a block of its own would. */
+%type <list> flat_body flat_items flat_checks;
+%type <node> flat_check flat_item flat_pigment flat_normal flat_finish;
+%type <keyword> texture_word flat_pattern flat_bumps flat_wave flat_turbulence flat_float;
+flat_body:
+	  flat_items
+	| tiles texture_tail { $$ = list_join(list_one($1), $2); }
+	| material_map texture_tail { $$ = list_join(list_one($1), $2); }
+	;
+flat_items:
+	  %empty { $$ = list_none(); }
+	| T_TEXTURE { $$ = list_one(node_reference(p, $1, @1)); }
+	| flat_items flat_item { $$ = list_add($1, $2); }
+	;
+flat_item:
+	  texture_item
+	| flat_pigment { $$ = flat_block(p, K_PIGMENT, @$, list_one($1)); }
+	| KW_MARBLE { $$ = flat_ramp(p, $1, @$); }
+	| KW_WOOD { $$ = flat_ramp(p, $1, @$); }
+	| flat_normal { $$ = flat_block(p, K_NORMAL, @$, list_one($1)); }
+	| flat_bumps float
+		{ $$ = flat_block(p, K_NORMAL, @$, list_add(list_one(node_new(p, $1, @1, @1)),
+			node_float(p, K_BUMP_SIZE, @2, @2, $2, @2))); }
+	| flat_finish { $$ = flat_block(p, K_FINISH, @$, list_one($1)); }
+	| full %prec ENDS { $$ = flat_number(p, (struct colour_value){ $1, NULL, true }, @$); }
+	| full parts %prec ENDS { $$ = flat_number(p, (struct colour_value){ $1, $2, true }, @$); }
+	;
+flat_pigment:
+	  marked_colour %prec ENDS { $$ = colour_node(p, colour_full(p, $1, @1), @1); }
+	| flat_pattern { $$ = node_new(p, $1, @$, @1); }
+	| KW_GRADIENT one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
+	| KW_CHECKER flat_checks { $$ = node_block(p, $1, @$, @1, $2); }
+	| KW_HEXAGON flat_checks oc flat_check %prec ENDS
+		{ $$ = node_block(p, $1, @$, @1, list_add($2, $4)); }
+	| KW_IMAGE_MAP '{' image bitmap_options '}'
+		{ $$ = node_block(p, $1, @$, @1, list_join(list_one($3), $4)); }
+	| KW_TURBULENCE one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
+	| flat_turbulence float { $$ = node_float(p, $1, @$, @1, $2, @2); }
+	| KW_QUICK_COLOR five { $$ = node_number(p, $1, @$, @1, $2, @2); }
+	| color_map
+	;
+flat_pattern: KW_AGATE | KW_BOZO | KW_GRANITE | KW_LEOPARD | KW_ONION | KW_SPOTTED ;
+flat_turbulence: KW_OCTAVES | KW_OMEGA | KW_LAMBDA ;
+flat_check: five { $$ = node_number(p, K_LIST_ITEM, @$, @1, $1, @1); } ;
+flat_checks: flat_check oc flat_check %prec ENDS { $$ = list_add(list_one($1), $3); } ;
+flat_normal:
+	  KW_BUMP_MAP '{' image bitmap_options '}'
+		{ $$ = node_block(p, $1, @$, @1, list_join(list_one($3), $4)); }
+	| flat_wave float { $$ = node_float(p, $1, @$, @1, $2, @2); }
+	;
+flat_bumps: KW_BUMPS | KW_DENTS | KW_RIPPLES | KW_WAVES | KW_WRINKLES ;
+flat_wave: KW_FREQUENCY | KW_PHASE ;
+flat_finish:
+	  flat_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
+	| KW_METALLIC { $$ = node_new(p, $1, @$, @1); }
+	| KW_AMBIENT float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| KW_REFLECTION float { $$ = node_number(p, $1, @$, @1, number_float($2), @2); }
+	| KW_IOR float { $$ = old_finish_node(p, $1, @$, @1, $2, @2); }
+	| KW_REFRACTION float { $$ = old_finish_node(p, $1, @$, @1, $2, @2); }
+	;
+flat_float:
+	  KW_BRILLIANCE | KW_CRAND | KW_DIFFUSE | KW_PHONG | KW_PHONG_SIZE | KW_ROUGHNESS | KW_SPECULAR
 	;
 textures:
 	  %empty { $$ = list_none(); }

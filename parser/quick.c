@@ -423,7 +423,8 @@ bool quick_read_full(struct quick *q, struct number *n)
 bool quick_begin(struct quick *q, struct parser *p)
 {
 	struct expand *x = p->expand;
-	if (p->failed || p->options->no_short_ways || has_read_ahead(x))
+	if (p->failed || p->options->no_short_ways || has_read_ahead(x) ||
+		p->state->version < QUICK_VERSION)
 		return false;
 	const struct frame *f = &x->frames[x->frame_count - 1];
 	q->p = p;

@@ -9,6 +9,9 @@
 
 #include "parser/expand.h"
 
+/* Texts of older versions read sums and textures by rules of their own. */
+enum { QUICK_VERSION = 300 };
+
 enum quick_level {
 	QUICK_SUM,  /* `<` opens a vector */
 	QUICK_FULL, /* with relations */

@@ -148,7 +148,7 @@ static bool read_light_item(
 	}
 }
 
-/* Items that became properties of the interior. */
+/* Items that became properties of the interior; the parser has warned of them. */
 static bool read_obsolete(struct lowering *l, struct finish *f, const struct node *item)
 {
 	switch (item->keyword) {
@@ -164,8 +164,6 @@ static bool read_obsolete(struct lowering *l, struct finish *f, const struct nod
 	default:
 		return false;
 	}
-	diag_warning(l->diag, item->word, "%s belongs to the interior of the object",
-		keyword_name(item->keyword));
 	return true;
 }
 
