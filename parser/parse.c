@@ -91,23 +91,6 @@ void parser_warning(struct parser *p, span where, const char *format, ...)
 	diag_warning(p->diag, where, "%s", text);
 }
 
-void parser_error_undeclared(
-	struct parser *p, span where, const char *name, name_test *test, const void *context)
-{
-	struct names *names = &p->expand->names;
-	const struct name *known = &names->list[names_intern(names, name, strlen(name))];
-	if (known->lost && p->error_count)
-		p->failed = true;
-	if (known->binding && known->binding->entered)
-		parser_error(p, where, "'%s' is used in its own declaration", name);
-	const char *nearest = p->failed ? NULL : names_nearest(names, name, test, context);
-	if (nearest)
-		parser_error(
-			p, where, "undeclared identifier '%s'; did you mean '%s'?", name, nearest);
-	else
-		parser_error(p, where, "undeclared identifier '%s'", name);
-}
-
 static bool is_word(const char *name)
 {
 	const size_t length =

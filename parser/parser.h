@@ -86,6 +86,9 @@ void ast_print_json(const struct ast *, struct diag *, FILE *);
 const char *file_find(const struct parse_options *, const char *name, const char *const *extensions,
 	bool *courtesy, struct arena *);
 
+/* The path of a file in a folder, "" the current one, as file_find spells it. */
+const char *file_in_folder(struct arena *, const char *folder, const char *name);
+
 /* Whether a scene may read the file: NULL, or the message why not. */
 const char *file_may_read(const struct parse_options *, const char *path, struct arena *);
 /* Opens a file to which a scene writes; NULL if that is impossible or refused, which the message says. */

@@ -19,7 +19,7 @@ static bool is_file(const char *path)
 	return !stat(path, &info) && !S_ISDIR(info.st_mode);
 }
 
-static const char *joined(struct arena *arena, const char *folder, const char *name)
+const char *file_in_folder(struct arena *arena, const char *folder, const char *name)
 {
 	const size_t length = strlen(folder);
 	const char *slash = length && folder[length - 1] == '/' ? "" : "/";
@@ -51,13 +51,13 @@ static const char *path_in_other_case(struct arena *arena, const char *folder, c
 	while (*name) {
 		const size_t length = strcspn(name, "/");
 		const char *part = arena_string(arena, name, length);
-		const char *exact = joined(arena, path, part);
+		const char *exact = file_in_folder(arena, path, part);
 		struct stat info;
 		if (stat(exact, &info)) {
 			part = entry_in_other_case(arena, path, part);
 			if (!part)
 				return NULL;
-			exact = joined(arena, path, part);
+			exact = file_in_folder(arena, path, part);
 		}
 		path = exact;
 		name += length;
@@ -70,7 +70,7 @@ typedef const char *(*lookup)(struct arena *, const char *folder, const char *na
 
 static const char *lookup_exact(struct arena *arena, const char *folder, const char *name)
 {
-	const char *path = joined(arena, folder, name);
+	const char *path = file_in_folder(arena, folder, name);
 	return is_file(path) ? path : NULL;
 }
 

@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What to say of a word that names nothing: the include file that would declare
+ * it, its declaration further down, or the nearest known name.
+ *
+ * Include files are looked through only now, when the scene is wrong anyway: those
+ * of the folders that #include searches.
+ */
+#include "parser/expand.h"
+
+#include <dirent.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	FILE_MOST = 1 << 20,	/* larger files are data */
+	FOLDER_MOST = 16 << 20, /* bytes read of a folder */
+	ENTRIES_MOST = 2000,	/* names looked at in a folder */
+};
+
+/* -- Declarations in a text --------------------------------------------------------------- */
+
+struct reader {
+	const char *at, *end;
+};
+
+static bool is_letter(char c)
+{
+	return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
+	       (c >= '0' && c <= '9');
+}
+
+static void skip_comment(struct reader *r)
+{
+	unsigned depth = 0;
+	do {
+		const bool pair = r->end - r->at > 1;
+		if (pair && r->at[0] == '/' && r->at[1] == '*') {
+			depth++;
+			r->at += 2;
+		} else if (pair && r->at[0] == '*' && r->at[1] == '/') {
+			depth--;
+			r->at += 2;
+		} else {
+			r->at++;
+		}
+	} while (depth && r->at < r->end);
+}
+
+static void skip_line(struct reader *r)
+{
+	while (r->at < r->end && *r->at != '\n' && *r->at != '\r')
+		r->at++;
+}
+
+static void skip_string(struct reader *r)
+{
+	for (r->at++; r->at < r->end && *r->at != '"'; r->at++)
+		r->at += *r->at == '\\' && r->end - r->at > 1;
+	r->at += r->at < r->end;
+}
+
+/* Steps over blanks, comments and strings. */
+static void skip_between(struct reader *r)
+{
+	while (r->at < r->end) {
+		const char c = r->at[0], next = r->end - r->at > 1 ? r->at[1] : 0;
+		if (c == '/' && next == '*')
+			skip_comment(r);
+		else if (c == '/' && next == '/')
+			skip_line(r);
+		else if (c == '"')
+			skip_string(r);
+		else if (c == ' ' || c == '\t' || c == '\n' || c == '\r')
+			r->at++;
+		else
+			return;
+	}
+}
+
+/* The length of the word that is read; 0: there is none. */
+static size_t take_word(struct reader *r, const char **word)
+{
+	skip_between(r);
+	*word = r->at;
+	while (r->at < r->end && is_letter(*r->at))
+		r->at++;
+	return (size_t)(r->at - *word);
+}
+
+static bool is(const char *word, size_t length, const char *text)
+{
+	return strlen(text) == length && !memcmp(word, text, length);
+}
+
+/* The name behind a declaring directive, behind whose '#' the reader stands; NULL: it is another. */
+static const char *declared_name(struct reader *r, size_t *length)
+{
+	const char *word;
+	*length = take_word(r, &word);
+	if (!is(word, *length, "declare") && !is(word, *length, "macro"))
+		return NULL;
+	do
+		*length = take_word(r, &word);
+	while (is(word, *length, "deprecated") || is(word, *length, "once"));
+	return word;
+}
+
+/* Where a text first declares the name; NULL: nowhere. */
+static const char *find_declaration(const char *text, size_t size, const char *name)
+{
+	struct reader r = { text, text + size };
+	while (skip_between(&r), r.at < r.end) {
+		if (*r.at++ != '#')
+			continue;
+		size_t length;
+		const char *word = declared_name(&r, &length);
+		if (word && is(word, length, name))
+			return word;
+	}
+	return NULL;
+}
+
+/* -- Include files ------------------------------------------------------------------------ */
+
+static bool is_read(const struct expand *x, const char *path)
+{
+	for (const struct source *s = x->sources; s; s = s->previous)
+		if (!strcmp(s->name, path))
+			return true;
+	return false;
+}
+
+/* The first bytes of a file, memory_alloc'd; NULL: it cannot be read or is too large. */
+static char *read_small(const char *path, size_t *size)
+{
+	FILE *file = fopen(path, "rb");
+	if (!file)
+		return NULL;
+	char *bytes = memory_alloc(FILE_MOST, 1);
+	*size = fread(bytes, 1, FILE_MOST, file);
+	const bool good = !ferror(file) && *size < FILE_MOST;
+	fclose(file);
+	if (good)
+		return bytes;
+	free(bytes);
+	return NULL;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+	return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static bool is_include_name(const char *name)
+{
+	const size_t length = strlen(name);
+	return length > 4 &&
+	       (!strcmp(name + length - 4, ".inc") || !strcmp(name + length - 4, ".INC"));
+}
+
+/* The names of include files in a folder, sorted. */
+static size_t list_includes(struct parser *p, const char *folder, const char **names)
+{
+	DIR *dir = opendir(*folder ? folder : ".");
+	size_t count = 0;
+	if (!dir)
+		return 0;
+	unsigned seen = 0;
+	for (const struct dirent *e; seen++ < ENTRIES_MOST && (e = readdir(dir));)
+		if (is_include_name(e->d_name))
+			names[count++] = arena_string(p->arena, e->d_name, strlen(e->d_name));
+	closedir(dir);
+	qsort(names, count, sizeof *names, compare_names);
+	return count;
+}
+
+/* The include file of a folder that declares the name; NULL: none. */
+static const char *find_in_folder(struct parser *p, const char *folder, const char *name)
+{
+	const char **files = ARENA_ARRAY(p->arena, ENTRIES_MOST, const char *);
+	const size_t count = list_includes(p, folder, files);
+	size_t bytes = 0;
+	for (size_t i = 0; i < count && bytes < FOLDER_MOST; i++) {
+		const char *path = file_in_folder(p->arena, folder, files[i]);
+		size_t size;
+		if (is_read(p->expand, path) || file_may_read(p->options, path, p->arena))
+			continue;
+		char *text = read_small(path, &size);
+		if (!text)
+			continue;
+		bytes += size;
+		const bool found = find_declaration(text, size, name);
+		free(text);
+		if (found)
+			return files[i];
+	}
+	return NULL;
+}
+
+static const char *find_include(struct parser *p, const char *name)
+{
+	const struct parse_options *o = p->options;
+	const char *found = NULL;
+	for (size_t i = 0; i < o->library_path_count && !found; i++)
+		found = find_in_folder(p, o->library_paths[i], name);
+	if (!found)
+		found = find_in_folder(p, "", name);
+	if (!found && o->scene_folder)
+		found = find_in_folder(p, o->scene_folder, name);
+	return found;
+}
+
+/* -- The message -------------------------------------------------------------------------- */
+
+/* Where the text of the place declares the name, if it does so only behind it; else no place. */
+static span find_later(const struct parser *p, span where, const char *name)
+{
+	for (const struct source *s = p->expand->sources; s; s = s->previous) {
+		if (s->number != where.source)
+			continue;
+		const char *at = find_declaration(s->bytes, s->size, name);
+		const size_t offset = at ? (size_t)(at - s->bytes) : 0;
+		if (offset > where.offset)
+			return (span){ s->number, (uint32_t)offset, (uint32_t)strlen(name),
+				where.site };
+	}
+	return NO_SPAN;
+}
+
+static void say(
+	struct parser *p, span where, const char *name, name_test *test, const void *context)
+{
+	const span later = find_later(p, where, name);
+	if (later.source) {
+		parser_error(
+			p, where, "undeclared identifier '%s': it is declared only later", name);
+		parser_note(p, later, "declared here");
+		return;
+	}
+	const char *include = find_include(p, name);
+	if (include) {
+		parser_error(p, where,
+			"undeclared identifier '%s': %s declares it; write #include \"%s\" before",
+			name, include, include);
+		return;
+	}
+	const char *nearest = names_nearest(&p->expand->names, name, test, context);
+	parser_error(p, where, "undeclared identifier '%s'%s%s%s", name,
+		nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
+}
+
+void parser_error_undeclared(
+	struct parser *p, span where, const char *name, name_test *test, const void *context)
+{
+	struct names *names = &p->expand->names;
+	const struct name *known = &names->list[names_intern(names, name, strlen(name))];
+	if (known->lost && p->error_count)
+		p->failed = true;
+	if (known->binding && known->binding->entered)
+		parser_error(p, where, "'%s' is used in its own declaration", name);
+	else if (p->failed || p->trial)
+		parser_error(p, where, "undeclared identifier '%s'", name);
+	else
+		say(p, where, name, test, context);
+}
