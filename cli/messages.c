@@ -173,6 +173,7 @@ static void make_excerpt(struct excerpt *e, const struct lambert_place *p)
 /* How a stream takes text. */
 struct manner {
 	bool colour, terminal;
+	bool shown; /* the line of the place was just shown */
 };
 
 static void print_place(FILE *file, const struct lambert_place *p, enum lambert_severity severity,
@@ -187,7 +188,7 @@ static void print_place(FILE *file, const struct lambert_place *p, enum lambert_
 	fprintf(file, ":%s %s%s:%s ", plain, colour, severity_names[severity], plain);
 	put_text(file, text, !manner.terminal);
 	fputc('\n', file);
-	if (!p->file || !p->text || !p->column)
+	if (!p->file || !p->text || !p->column || manner.shown)
 		return;
 	struct excerpt e;
 	make_excerpt(&e, p);
@@ -199,6 +200,7 @@ static void print_place(FILE *file, const struct lambert_place *p, enum lambert_
 static void print_message(FILE *file, const struct lambert_message *message, struct manner manner)
 {
 	print_place(file, &message->place, message->severity, message->text, manner);
+	manner.shown = false;
 	for (size_t i = 0; i < message->chain_length; i++) {
 		const struct lambert_place *p = &message->chain[i];
 		print_place(file, p, LAMBERT_NOTE, p->context ? p->context : "reached from here",
@@ -238,9 +240,24 @@ static void print_json(FILE *file, const struct lambert_message *message)
 
 /* What arrives */
 
+/* Whether the message is a note at the very place shown last; that place is this one from now on. */
+static bool take_place(struct messages *m, const struct lambert_message *message)
+{
+	const struct lambert_place *p = &message->place;
+	const bool same = message->severity == LAMBERT_NOTE && p->file && p->line == m->line &&
+			  p->column == m->column && strcmp(p->file, m->file) == 0;
+	if (message->chain_length)
+		p = &message->chain[message->chain_length - 1];
+	snprintf(m->file, sizeof m->file, "%s", p->file ? p->file : "");
+	m->line = p->line;
+	m->column = p->column;
+	return same;
+}
+
 void messages_take(void *user, const struct lambert_message *message)
 {
 	struct messages *m = user;
+	const bool shown = take_place(m, message);
 	m->errors += message->severity == LAMBERT_ERROR;
 	m->warnings += message->severity == LAMBERT_WARNING;
 	const enum stream stream = message->severity == LAMBERT_NOTE	? m->last
@@ -249,7 +266,7 @@ void messages_take(void *user, const struct lambert_message *message)
 	m->last = stream;
 	for (int i = 0; i < STREAM_COUNT; i++)
 		if (m->files[i] && (i == STREAM_ALL || i == (int)stream))
-			print_message(m->files[i], message, (struct manner){ false, false });
+			print_message(m->files[i], message, (struct manner){ .shown = shown });
 	if (m->json) {
 		print_json(m->json, message);
 		return;
@@ -258,7 +275,7 @@ void messages_take(void *user, const struct lambert_message *message)
 	/* What is wrong is always said: an exit status alone helps nobody. */
 	if (stream == STREAM_FATAL || (on_console(m, stream) && !is_muted)) {
 		clear_line(m);
-		print_message(stderr, message, (struct manner){ m->colour, m->terminal });
+		print_message(stderr, message, (struct manner){ m->colour, m->terminal, shown });
 	}
 }
 

@@ -18,7 +18,9 @@ struct messages {
 	bool terminal;		   /* the console is one */
 	bool colour;
 	enum stream last; /* of the last message: its notes go there too */
-	bool line_open;	  /* a progress bar stands on the console's current line */
+	char file[256];	  /* the place shown last */
+	unsigned line, column;
+	bool line_open; /* a progress bar stands on the console's current line */
 	unsigned errors, warnings;
 };
 

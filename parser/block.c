@@ -7,6 +7,8 @@
  */
 #include "parser/expand.h"
 
+#include <string.h>
+
 struct block *block_push(
 	struct parser *p, enum block_kind kind, const struct directive *d, span where)
 {
@@ -45,12 +47,68 @@ static bool find_loose_part(struct frame *f)
 	return false;
 }
 
-static bool report_unclosed(struct parser *p, span opened)
+/* -- Blocks without an end ---------------------------------------------------------------- */
+
+/* Blanks before a token; -1: it is not the first of its line. */
+static int indent_of(const struct source *s, const struct raw_token *raw)
 {
-	raw_peek(p); /* the text may have gone wrong: that is the better message */
-	parser_error(p, opened, "no #end for the block that begins here");
+	uint32_t at = raw->offset;
+	while (at > 0 && (s->bytes[at - 1] == ' ' || s->bytes[at - 1] == '\t'))
+		at--;
+	const bool first = at == 0 || s->bytes[at - 1] == '\n' || s->bytes[at - 1] == '\r';
+	return first ? (int)(raw->offset - at) : -1;
+}
+
+/* The #end that belongs to an outer block by its place in the line: the inner one lacks its own. */
+static bool note_misplaced_end(struct parser *p, const struct source *s, span opened)
+{
+	for (uint32_t i = 0; i < s->directive_count; i++) {
+		const struct directive *d = &s->directives[i];
+		if (!directive_opens(d->keyword) || d->token >= s->count || d->end >= s->count)
+			continue;
+		const struct raw_token *start = &s->tokens[d->token], *end = &s->tokens[d->end];
+		const int indent = indent_of(s, start), end_indent = indent_of(s, end);
+		if (start->offset <= opened.offset || end_indent < 0 || end_indent >= indent)
+			continue;
+		parser_note(p, (span){ s->number, start->offset, d->length, opened.site },
+			"is the #end of this #%s missing?", keyword_name(d->keyword));
+		parser_note(p, (span){ s->number, end->offset, 4, opened.site },
+			"this #end, further left, is taken for it");
+		return true;
+	}
 	return false;
 }
+
+/* #endif and the like, which mean nothing. */
+static void note_foreign_end(struct parser *p, const struct source *s, span opened)
+{
+	for (uint32_t i = 0; i < s->count; i++) {
+		const struct raw_token *raw = &s->tokens[i];
+		if (raw->kind != RAW_NAME || raw->offset <= opened.offset ||
+			s->bytes[raw->offset - 1] != '#' ||
+			strncmp(s->bytes + raw->offset, "end", 3) != 0)
+			continue;
+		const char *word = p->expand->names.list[raw->payload].text;
+		parser_note(p,
+			(span){ s->number, raw->offset - 1, (uint32_t)strlen(word) + 1,
+				opened.site },
+			"every block ends with #end: #%s means nothing", word);
+		return;
+	}
+}
+
+bool block_report_unclosed(struct parser *p, span opened)
+{
+	raw_peek(p); /* the text may have gone wrong: that is the better message */
+	const struct source *s = source_at(p->expand, opened);
+	const char *word = s ? s->bytes + opened.offset : "";
+	parser_error(p, opened, "no #end for the %.*s that begins here", (int)opened.length, word);
+	if (s && !note_misplaced_end(p, s, opened))
+		note_foreign_end(p, s, opened);
+	return false;
+}
+
+/* -- Parts -------------------------------------------------------------------------------- */
 
 /* Moves to the next part when the block began in another text than the present one: further down,
  * or in the texts that include this one. */
@@ -66,7 +124,7 @@ static bool find_unlinked_part(struct parser *p, span opened)
 		if (f->end && f->tokens[f->end - 1].kind == RAW_ERROR)
 			f->position--;
 		if (f->is_macro || x->frame_count == 1 || raw_peek(p) || p->failed)
-			return report_unclosed(p, opened);
+			return block_report_unclosed(p, opened);
 		x->file_count--;
 		symbols_pop(&x->symbols);
 		x->frame_count--;
@@ -155,9 +213,6 @@ bool block_break(struct parser *p, span where)
 void block_report_open(struct parser *p)
 {
 	const struct expand *x = p->expand;
-	if (x->block_count) {
-		const struct block *b = &x->blocks[x->block_count - 1];
-		parser_error(p, b->opened, "no #end for the #%s that begins here",
-			keyword_name(b->opener));
-	}
+	if (x->block_count)
+		block_report_unclosed(p, x->blocks[x->block_count - 1].opened);
 }

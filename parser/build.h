@@ -394,5 +394,10 @@ const char *token_words(int token);
 
 /* Reports what is wrong at the last token. */
 void syntax_error(struct parser *, struct run *, const struct wanted *);
+/* Whether a token ends something that an operator could follow. */
+bool ends_operand(int token);
+/* hint.c: notes what would be right instead of the last token, if one can guess. `open`: the bracket it
+ * stands in, or NULL. */
+bool note_hint(struct parser *, const struct run *, const struct opening *open);
 
 #endif

@@ -126,10 +126,14 @@ static bool read_semicolon(struct parser *p, bool expression, span where)
 	struct token_value next;
 	span at;
 	const int token = expand_next(p, &next, &at);
-	parser_error(p, at, "expected ';' behind the declared expression, found %s",
+	const span gap = raw_gap_before(p, at);
+	parser_error(p, gap, "expected ';' behind the declared expression, found %s",
 		token_describe(p, token, &next));
-	note_comparison(p, token, at);
-	parser_note(p, where, "the declaration begins here");
+	note_operator(p, token, at);
+	if (token == ',')
+		parser_note(p, at, "the decimal point is '.', and vectors are written <a, b, c>");
+	if (diag_place(p->diag, where).line != diag_place(p->diag, gap).line)
+		parser_note(p, where, "the declaration begins here");
 	return false;
 }
 

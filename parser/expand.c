@@ -486,6 +486,8 @@ bool expect(struct parser *p, int token, const char *what)
 		return true;
 	if (found == T_UNDECLARED)
 		parser_error_undeclared(p, where, v.name, is_declared, NULL);
+	if (token == ')' || token == ';')
+		where = raw_gap_before(p, where);
 	parser_error(p, where, "expected %s, found %s", what, token_describe(p, found, &v));
 	return false;
 }

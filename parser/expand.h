@@ -193,6 +193,13 @@ span raw_take(struct parser *);
 span raw_span(struct parser *);
 /* Span of a token of the present text. */
 span raw_span_at(struct parser *, const struct raw_token *);
+/* The text that a place is in; NULL: no place. */
+const struct source *source_at(const struct expand *, span where);
+/* The token `steps` before the one at a place; NULL: there is none, or it is in another text. */
+const struct raw_token *raw_before(struct parser *, span where, unsigned steps);
+/* The place to point at when something is missing before `where`: behind the token before if that is
+ * on another line. */
+span raw_gap_before(struct parser *, span where);
 /* Span of a token of a text. */
 span raw_span_of(const struct expand *, const struct frame *, struct raw_token);
 /* The place behind the last token of a text. */
@@ -266,6 +273,8 @@ bool block_break(struct parser *, span);
  * is stepped over; NULL after an error. */
 const struct directive *block_skip_to_part(
 	struct parser *, const struct directive *part, span opened, span *where);
+/* Reports that a block has no end; returns false. `opened`: the span of its directive. */
+bool block_report_unclosed(struct parser *, span opened);
 /* Reports the blocks that are open at the end of the scene. */
 void block_report_open(struct parser *);
 
@@ -280,6 +289,9 @@ bool loop_within_limit(struct parser *, span);
 /* macro.c */
 bool macro_define(struct parser *, const struct directive *, span);
 bool macro_call(struct parser *, struct symbol *, span);
+
+/* undeclared.c: the include file whose name is most like this one, NULL if none is. */
+const char *include_nearest(struct parser *, const char *name);
 
 /* include.c */
 bool include_run(struct parser *, span);

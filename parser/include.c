@@ -25,10 +25,14 @@ static const char *places(struct parser *p)
 static bool report_missing(struct parser *p, const char *name, span where)
 {
 	struct stat info;
+	const char *nearest;
 	if (!stat(name, &info) && S_ISDIR(info.st_mode))
 		parser_stop(p, where, "'%s' is a folder: an include file is wanted", name);
 	else if (name[0] == '/')
 		parser_stop(p, where, "include file '%s' not found", name);
+	else if ((nearest = include_nearest(p, name)))
+		parser_stop(
+			p, where, "include file '%s' not found; did you mean '%s'?", name, nearest);
 	else
 		parser_stop(p, where, "include file '%s' not found; looked in %s", name, places(p));
 	return false;

@@ -107,8 +107,12 @@ void parser_stop(struct parser *, span where, const char *format, ...)
 void parser_error_undeclared(
 	struct parser *, span where, const char *name, name_test *, const void *context);
 
-/* Notes after an error at `token`, if it compares: comparisons need parentheses in most places. */
-void note_comparison(struct parser *, int token, span where);
+/* Whether the word changes an object, and does nothing between statements. */
+bool is_object_modifier(enum keyword);
+
+/* Notes after an error at `token`, which stands behind an operand, if it is an operator: comparisons need
+ * parentheses in most places. False: it is none. */
+bool note_operator(struct parser *, int token, span where);
 
 /* The span from the start of `first` to the end of `last`, if they come from the same text. */
 static inline span span_join(span first, span last)

@@ -22,12 +22,8 @@ static bool leave_loop(struct parser *p)
 {
 	struct expand *x = p->expand;
 	const struct block *b = &x->blocks[--x->block_count];
-	if (b->end == NO_TOKEN) {
-		raw_peek(p);
-		parser_error(p, b->opened, "no #end for the #%s that begins here",
-			keyword_name(b->opener));
-		return false;
-	}
+	if (b->end == NO_TOKEN)
+		return block_report_unclosed(p, b->opened);
 	top_frame(x)->position = b->end + 1;
 	return true;
 }
@@ -88,6 +84,11 @@ static bool read_header(struct parser *p, uint32_t *name, struct range *r, span 
 	const struct raw_token *raw = raw_peek(p);
 	if (raw && raw->kind == '[') {
 		parser_error(p, *where, "the variable of #for cannot be an element of an array");
+		return false;
+	}
+	if (raw && raw->kind == '=') {
+		parser_error(p, raw_span(p),
+			"expected ',' behind the variable of #for, as in #for (I, 0, 9)");
 		return false;
 	}
 	struct gate gate;

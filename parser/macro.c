@@ -69,9 +69,7 @@ bool macro_define(struct parser *p, const struct directive *d, span opened)
 	if (d->end == NO_TOKEN) {
 		f->position =
 			f->end && f->tokens[f->end - 1].kind == RAW_ERROR ? f->end - 1 : f->end;
-		raw_peek(p);
-		parser_error(p, opened, "no #end for the macro that begins here");
-		return false;
+		return block_report_unclosed(p, opened);
 	}
 	f->position = d->end + 1;
 	m->context = arena_printf(
@@ -140,8 +138,14 @@ static bool read_arguments(struct parser *p, const struct macro *m, struct argum
 	const int token = expand_next(p, &v, &where);
 	if (p->failed)
 		return false;
+	if (v.keyword != K_NONE || token == 0) {
+		parser_error(p, raw_gap_before(p, where),
+			"expected ')' behind the arguments of macro '%s', found %s",
+			p->expand->names.list[m->name].text, token_describe(p, token, &v));
+		return false;
+	}
 	report_count(p, m, where, "found more than", m->parameter_count);
-	note_comparison(p, token, where);
+	note_operator(p, token, where);
 	return false;
 }
 

@@ -4,6 +4,7 @@
  */
 #include "parser/names.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -115,25 +116,29 @@ static unsigned distance(const char *a, size_t a_length, const char *b, size_t b
 	return rows[a_length % 3][b_length];
 }
 
+bool names_is_nearer(const char *word, const char *known, unsigned *least)
+{
+	const size_t length = strlen(word), known_length = strlen(known);
+	if (length < 2 || length > WORD_MAX || known_length > WORD_MAX ||
+		known_length + 3 < length || known_length > length + 3 || !strcmp(known, word))
+		return false;
+	const unsigned most = length < 4 ? 2 : length < 8 ? 4 : 6;
+	const unsigned d = distance(word, length, known, known_length);
+	if (d > most || d >= *least)
+		return false;
+	*least = d;
+	return true;
+}
+
 const char *names_nearest(
 	const struct names *n, const char *word, name_test *test, const void *context)
 {
-	const size_t length = strlen(word);
-	if (length < 2 || length > WORD_MAX)
-		return NULL;
 	const char *nearest = NULL;
-	unsigned least = length < 4 ? 3 : length < 8 ? 5 : 7; /* must be less than this */
+	unsigned least = UINT_MAX;
 	for (uint32_t id = 0; id < n->count; id++) {
 		const struct name *known = &n->list[id];
-		if (known->length > WORD_MAX || known->length + 3 < length ||
-			known->length > length + 3 || !strcmp(known->text, word) ||
-			!test(context, known))
-			continue;
-		const unsigned d = distance(word, length, known->text, known->length);
-		if (d < least) {
-			least = d;
+		if (test(context, known) && names_is_nearer(word, known->text, &least))
 			nearest = known->text;
-		}
 	}
 	return nearest;
 }

@@ -36,6 +36,9 @@ void names_finish(struct names *);
 
 /* The id of a word, entered if it is new. */
 uint32_t names_intern(struct names *, const char *text, size_t length);
+/* Whether `known` is like `word`, and more so than `*least` tells, which is then set; it begins as
+ * UINT_MAX. */
+bool names_is_nearer(const char *word, const char *known, unsigned *least);
 /* Whether a name could stand at some place. */
 typedef bool name_test(const void *context, const struct name *);
 /* The word nearest in spelling among those that pass the test, NULL if none is near. */

@@ -75,14 +75,44 @@ span raw_span_at(struct parser *p, const struct raw_token *raw)
 	return raw_span_of(p->expand, top_frame(p->expand), *raw);
 }
 
+const struct source *source_at(const struct expand *x, span where)
+{
+	const struct source *s = x->sources;
+	while (s && s->number != where.source)
+		s = s->previous;
+	return s;
+}
+
+const struct raw_token *raw_before(struct parser *p, span where, unsigned steps)
+{
+	enum { AHEAD = 8 }; /* tokens may have been read beyond the place */
+	const struct frame *f = top_frame(p->expand);
+	if (where.source != f->source->number)
+		return NULL;
+	if (f->position == f->end && where.offset >= f->source->size)
+		return f->end >= steps ? &f->tokens[f->end - steps] : NULL;
+	for (uint32_t i = f->position; i + AHEAD > f->position && i >= steps && i > 0; i--)
+		if (i < f->end && f->tokens[i].offset == where.offset)
+			return &f->tokens[i - steps];
+	return NULL;
+}
+
+span raw_gap_before(struct parser *p, span where)
+{
+	const struct raw_token *raw = raw_before(p, where, 1);
+	if (!raw || raw->kind == RAW_ERROR)
+		return where;
+	span gap = raw_span_at(p, raw);
+	gap.offset += gap.length;
+	gap.length = 1;
+	return diag_place(p->diag, gap).line < diag_place(p->diag, where).line ? gap : where;
+}
+
 void raw_report_lexical(struct parser *p, const struct frame *f)
 {
 	const struct source *s = f->source;
 	parser_error(
 		p, (span){ s->number, s->error_offset, s->error_length, f->site }, "%s", s->error);
-	if (s->error_note)
-		parser_note(p, (span){ s->number, s->note_offset, 1, f->site }, "%s",
-			s->error_note);
 }
 
 const struct raw_token *raw_peek_at_end(struct parser *p)

@@ -23,11 +23,16 @@ static void lose_name(struct parser *p, uint32_t id)
 		symbol_remove(s, name->binding);
 }
 
-/* The names behind the declaring directives between two tokens of a text. */
+/* The names behind the declaring directives between two tokens of a text, and those that were to be
+ * declared without one. */
 static void lose_names(struct parser *p, const struct frame *f, uint32_t from, uint32_t to)
 {
 	enum { NEAR = 4 }; /* `deprecated once "text"` or a bracket may stand before the name */
 	for (uint32_t i = from; i < to; i++) {
+		if (f->tokens[i].kind == RAW_NAME && i + 1 < f->end &&
+			f->tokens[i + 1].kind == '=' &&
+			!p->expand->names.list[f->tokens[i].payload].binding)
+			lose_name(p, f->tokens[i].payload);
 		if (f->tokens[i].kind != RAW_DIRECTIVE)
 			continue;
 		const enum keyword k = f->source->directives[f->tokens[i].payload].keyword;
@@ -93,12 +98,12 @@ static bool step(struct walk *w)
 	return true;
 }
 
-/* Whether a token may be the first of a statement. A texture may be one more layer of a declared
- * one. */
+/* Whether a token may be the first of a statement; what belongs in an object may not. */
 static bool may_begin(struct raw_token raw)
 {
-	return raw.kind == RAW_NAME ||
-	       (raw.kind == RAW_KEYWORD && raw.payload != (uint32_t)K_TEXTURE);
+	if (raw.kind != RAW_KEYWORD)
+		return raw.kind == RAW_NAME;
+	return !is_object_modifier((enum keyword)raw.payload);
 }
 
 /* Whether a statement can begin here. */

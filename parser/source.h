@@ -68,8 +68,6 @@ struct source {
 	bool piece_splits; /* a statement began before */
 	const char *error; /* of the last token if that is RAW_ERROR */
 	uint32_t error_offset, error_length;
-	const char *error_note; /* a second place: where the string began …; NULL: none */
-	uint32_t note_offset;
 	struct source *previous; /* of all read by this parse */
 };
 

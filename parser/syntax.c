@@ -28,8 +28,7 @@ static bool is_closing(int token)
 	return token == '}' || token == ')' || token == ']';
 }
 
-/* Whether a token ends something that an operator could follow. */
-static bool ends_operand(int token)
+bool ends_operand(int token)
 {
 	return token == T_SUM || token == T_NUMBER || token == T_VECTOR || token == T_COLOUR ||
 	       token == T_STRING || token == ')' || token == '>';
@@ -106,6 +105,9 @@ static void report_name(
 	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
 {
 	const struct queued *t = run->last;
+	const struct raw_token *next = raw_peek(p);
+	const bool assigned =
+		!open && run->start_token == T_START_SCENE && next && next->kind == '=';
 	const bool behind_item =
 		wanted_token(w, '}') || (ends_operand(run->token_before) && !wanted_token(w, '>'));
 	const bool in_block = open && open->token == '{' && behind_item &&
@@ -118,6 +120,10 @@ static void report_name(
 	else
 		parser_error_undeclared(
 			p, t->where, t->value.name, in_block ? name_fits_in_block : name_fits, w);
+	if (assigned)
+		parser_note(p, t->where,
+			"a name is given a value by #declare or #local: #declare %s = 1;",
+			t->value.name);
 }
 
 /* -- Brackets ----------------------------------------------------------------------------- */
@@ -196,7 +202,8 @@ static bool report_kind(
 	const enum keyword word = argument_of(run, open);
 	if (word == K_NONE)
 		return false;
-	const char *kind = kind_wanted(w, word, word != run->word_before);
+	const bool function = word != run->word_before;
+	const char *kind = kind_wanted(w, word, function);
 	/* Only a comparison could follow: a string was read as the argument. */
 	if (wanted_token(w, T_LE) && !wanted_token(w, '+') && is_closing(token)) {
 		parser_error(p, run->where_before, "%s needs a number, found a string",
@@ -206,10 +213,26 @@ static bool report_kind(
 	const bool empty = token == ')' && (run->token_before == '(' || run->token_before == ',');
 	const bool sign =
 		(token == '+' || token == '-' || token == '!') && !ends_operand(run->token_before);
-	if (!kind || (!empty && !sign && token != '(' && token != '<' && token < 127))
+	const bool closes = token == '}' && !function;
+	if (!kind && empty && run->token_before == '(' && wanted_token(w, T_NUMBER))
+		kind = "a value";
+	if (!kind || (!empty && !sign && !closes && token != '(' && token != '<' && token < 127))
 		return false;
 	parser_error(p, t->where, "%s needs %s, found %s", keyword_name(word), kind,
 		empty ? "nothing" : found_phrase(p, run, t));
+	return true;
+}
+
+/* The parentheses behind a function or a spline of the scene, with nothing in them. */
+static bool report_empty_call(struct parser *p, const struct run *run, const struct wanted *w)
+{
+	const struct queued *t = run->last;
+	const struct raw_token *name = raw_before(p, t->where, 2);
+	if (t->token != ')' || run->token_before != '(' || !wanted_token(w, T_NUMBER) || !name ||
+		name->kind != RAW_NAME)
+		return false;
+	parser_error(p, t->where, "%s needs an argument, found nothing",
+		p->expand->names.list[name->payload].text);
 	return true;
 }
 
@@ -239,34 +262,55 @@ static bool report_in_function(struct parser *p, const struct run *run, const st
 	return true;
 }
 
-/* -- Hints -------------------------------------------------------------------------------- */
+/* -- The wrong place ---------------------------------------------------------------------- */
 
-void note_comparison(struct parser *p, int token, span where)
+/* Identifiers of statements, such as textures. */
+static bool is_statement_identifier(int token)
 {
-	if (token == T_LE || token == T_GE || token == T_NE || token == '<' || token == '>' ||
-		token == '=' || token == '&' || token == '|' || token == '?')
-		parser_note(p, where, "a comparison needs parentheses here: (a > b)");
+	return token >= T_OBJECT && token <= T_DENSITY_MAP;
 }
 
-/* Says what would be right where a habit from another language, or a comparison where only sums are
- * read, is the likely cause. */
-static void hint(struct parser *p, const struct run *run, const struct queued *t)
+/* Without "identifier". */
+static const char *kind_of_identifier(struct parser *p, int token)
 {
-	const int token = t->token, before = run->token_before;
-	const bool doubled = token == before && (token == '=' || token == '&' || token == '|');
-	if (doubled)
-		parser_note(p, t->where, "the operator is '%c', not '%c%c'", token, token, token);
-	else if (token == ')' && before == T_STRING)
-		parser_note(p, t->where, "a string can only be compared here: (S = \"x\")");
-	else if (token == '+' && before == T_STRING)
-		parser_note(p, t->where, "strings are joined by concat(S, T)");
-	else if (t->value.keyword >= K_RGB && t->value.keyword <= K_RGBT && !ends_operand(before))
-		parser_note(p, t->where,
-			"a colour in an expression must be declared: #declare C = rgb 1;");
-	else if (token == ';' && run->start_token == T_START_SCENE)
-		parser_note(p, t->where, "a ';' ends directives only, such as #declare");
-	else if (token != '<' && ends_operand(before))
-		note_comparison(p, token, t->where);
+	const char *words = token_words(token), *end = strstr(words, " identifier");
+	return arena_printf(p->arena, "%.*s", end ? (int)(end - words) : (int)strlen(words), words);
+}
+
+/* What stands between the statements of a scene. */
+static bool report_stray(struct parser *p, const struct run *run, const struct opening *open)
+{
+	const struct queued *t = run->last;
+	if (open || run->start_token != T_START_SCENE)
+		return false;
+	const char *name = token_name(&t->value);
+	if (t->token == '}')
+		parser_error(p, t->where, "'}' without a '{' before it");
+	else if (is_object_modifier(t->value.keyword))
+		parser_error(p, t->where,
+			"%s stands outside of an object: did the braces before it close too early?",
+			keyword_name(t->value.keyword));
+	else if (is_statement_identifier(t->token) && name)
+		parser_error(p, t->where, "'%s' is %s: it cannot stand outside of a statement",
+			name, kind_of_identifier(p, t->token));
+	else
+		return false;
+	return true;
+}
+
+/* The identifier of a pigment in a normal, and the like. */
+static bool report_identifier(struct parser *p, const struct run *run, const struct opening *open)
+{
+	const struct queued *t = run->last;
+	const char *name = token_name(&t->value);
+	if (!is_statement_identifier(t->token) || !name || !open || open->token != '{' ||
+		open->keyword == K_NONE || run->word_before != K_NONE)
+		return false;
+	parser_error(p, t->where, "'%s' is %s, which %s does not take here", name,
+		kind_of_identifier(p, t->token), keyword_name(open->keyword));
+	if (t->token == T_OBJECT)
+		parser_note(p, t->where, "write object { %s }", name);
+	return true;
 }
 
 /* -- The report --------------------------------------------------------------------------- */
@@ -276,35 +320,82 @@ static void note_block(struct parser *p, const struct opening *open, span where)
 {
 	if (open && open->token == '{' && open->keyword != K_NONE &&
 		diag_place(p->diag, open->word).line != diag_place(p->diag, where).line)
-		parser_note(p, open->word, "%s is opened here", keyword_name(open->keyword));
+		parser_note(p, open->word, "%s is opened here; is its '}' missing?",
+			keyword_name(open->keyword));
+}
+
+/* The beginning of an open vector, on another line. */
+static void note_vector_start(struct parser *p, span where)
+{
+	enum { FAR = 100 };
+	for (unsigned steps = 1; steps < FAR; steps++) {
+		const struct raw_token *raw = raw_before(p, where, steps);
+		if (!raw || raw->kind == '>' || raw->kind == '}' || raw->kind == '{')
+			return;
+		if (raw->kind != '<')
+			continue;
+		const span start = raw_span_at(p, raw);
+		if (diag_place(p->diag, start).line != diag_place(p->diag, where).line)
+			parser_note(p, start, "the vector begins here");
+		return;
+	}
+}
+
+/* What could stand here instead; NULL: too many things. */
+static const char *expected_words(
+	const struct run *run, const struct opening *open, const struct wanted *w)
+{
+	if (wanted_token(w, '>') && !wanted_token(w, T_GE))
+		return "a number or '>'";
+	if (w->list)
+		return w->list;
+	const bool number = wanted_token(w, T_NUMBER), string = wanted_token(w, T_STRING);
+	if (!run->token_before)
+		return start_words(run->start_token);
+	if (open && wanted_token(w, KW_SPHERE) && !wanted_token(w, '}') && !number)
+		return "an object";
+	if (number && !ends_operand(run->token_before))
+		return string ? "a value" : "a number or a vector";
+	return string ? "a string" : NULL;
+}
+
+/* Where it stands: behind which word or operator, in which statement. */
+static const char *context_words(
+	struct parser *p, const struct run *run, const struct opening *open)
+{
+	const char *in = "";
+	const int before = run->token_before;
+	const bool behind_operator = before > ' ' && before < 127 && strchr("+-*/=<>&|?:", before);
+	if (open && open->keyword != K_NONE)
+		in = arena_printf(p->arena, " in %s", keyword_name(open->keyword));
+	if (run->word_before != K_NONE)
+		in = arena_printf(p->arena, " behind %s%s", keyword_name(run->word_before), in);
+	else if (behind_operator && before != run->last->token)
+		in = arena_printf(p->arena, " behind '%c'%s", before, in);
+	return in;
 }
 
 static void report_unexpected(
 	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
 {
 	const struct queued *t = run->last;
-	const char *expected = w->list, *in = "";
+	const char *expected = expected_words(run, open, w);
 	const char *found = t->token == 0 ? "end of the text" : found_words(p, run, t);
 	const bool in_vector = wanted_token(w, '>') && !wanted_token(w, T_GE);
-	if (in_vector)
-		expected = "a number or '>'";
-	if (!expected && !run->token_before)
-		expected = start_words(run->start_token);
-	if (!expected && wanted_token(w, T_STRING) && !wanted_token(w, T_NUMBER))
-		expected = "a string";
-	if (open && open->keyword != K_NONE)
-		in = arena_printf(p->arena, " in %s", keyword_name(open->keyword));
-	if (run->word_before != K_NONE)
-		in = arena_printf(p->arena, " behind %s%s", keyword_name(run->word_before), in);
-	if (expected)
-		parser_error(p, t->where, "unexpected %s%s: expected %s", found, in, expected);
+	if (t->token == '}' && run->token_before == '{' && open && open->keyword != K_NONE)
+		parser_error(p, t->where, "%s is empty%s%s", keyword_name(open->keyword),
+			expected ? ": expected " : "", expected ? expected : "");
 	else
-		parser_error(p, t->where, "unexpected %s%s", found, in);
-	if (open && is_closing(t->token) && closing(open->token)[0] != t->token)
+		parser_error(p, t->where, "unexpected %s%s%s%s", found, context_words(p, run, open),
+			expected ? ": expected " : "", expected ? expected : "");
+	if (in_vector && ends_operand(run->token_before))
+		note_operator(p, t->token, t->where);
+	if (in_vector)
+		note_vector_start(p, t->where);
+	else if (open && is_closing(t->token) && closing(open->token)[0] != t->token)
 		parser_note(p, open->where, "the %c is still open", open->token);
-	else if (t->value.keyword != K_NONE && !in_vector)
+	else if (!note_hint(p, run, open) && (t->value.keyword != K_NONE || t->token == '{'))
 		note_block(p, open, t->where);
-	hint(p, run, t);
 }
 
 void syntax_error(struct parser *p, struct run *run, const struct wanted *w)
@@ -320,8 +411,12 @@ void syntax_error(struct parser *p, struct run *run, const struct wanted *w)
 	else if (t->token == 0 && open)
 		report_open(p, open, t->where);
 	else if (!report_in_function(p, run, w) && !report_kind(p, run, open, w) &&
-		 !report_short_list(p, run, open, w))
+		 !report_empty_call(p, run, w) && !report_short_list(p, run, open, w) &&
+		 !report_stray(p, run, open) && !report_identifier(p, run, open))
 		report_unexpected(p, run, open, w);
+	/* What it would have opened cannot be told from what follows. */
+	if (!open && directive_opens(t->value.keyword))
+		p->stopped = true;
 }
 
 void grammar_error(const span *, struct parser *, struct run *, const char *);

@@ -9,6 +9,7 @@
 #include "parser/expand.h"
 
 #include <dirent.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -211,26 +212,64 @@ static const char *find_include(struct parser *p, const char *name)
 	return found;
 }
 
+const char *include_nearest(struct parser *p, const char *name)
+{
+	const struct parse_options *o = p->options;
+	const char *nearest = NULL;
+	unsigned least = UINT_MAX;
+	for (size_t i = 0; i < o->library_path_count + 2; i++) {
+		const char *folder = i < o->library_path_count	  ? o->library_paths[i]
+				     : i == o->library_path_count ? ""
+								  : o->scene_folder;
+		const char **files = ARENA_ARRAY(p->arena, ENTRIES_MOST, const char *);
+		const size_t count = folder ? list_includes(p, folder, files) : 0;
+		for (size_t j = 0; j < count; j++)
+			if (names_is_nearer(name, files[j], &least))
+				nearest = files[j];
+	}
+	return nearest;
+}
+
 /* -- The message -------------------------------------------------------------------------- */
 
 /* Where the text of the place declares the name, if it does so only behind it; else no place. */
 static span find_later(const struct parser *p, span where, const char *name)
 {
-	for (const struct source *s = p->expand->sources; s; s = s->previous) {
-		if (s->number != where.source)
-			continue;
-		const char *at = find_declaration(s->bytes, s->size, name);
-		const size_t offset = at ? (size_t)(at - s->bytes) : 0;
-		if (offset > where.offset)
-			return (span){ s->number, (uint32_t)offset, (uint32_t)strlen(name),
-				where.site };
-	}
-	return NO_SPAN;
+	const struct source *s = source_at(p->expand, where);
+	const char *at = s ? find_declaration(s->bytes, s->size, name) : NULL;
+	const size_t offset = at ? (size_t)(at - s->bytes) : 0;
+	return offset > where.offset
+		       ? (span){ s->number, (uint32_t)offset, (uint32_t)strlen(name), where.site }
+		       : NO_SPAN;
+}
+
+/* Whether the word stands behind a '#', which means nothing before what is no directive. */
+static bool is_behind_hash(const struct parser *p, span where)
+{
+	const struct source *s = source_at(p->expand, where);
+	uint32_t at = s ? where.offset : 0;
+	while (at > 0 && (s->bytes[at - 1] == ' ' || s->bytes[at - 1] == '\t'))
+		at--;
+	return at > 0 && s->bytes[at - 1] == '#';
+}
+
+static bool is_directive_name(const void *context, const struct name *name)
+{
+	(void)context;
+	return is_directive(name->keyword);
 }
 
 static void say(
 	struct parser *p, span where, const char *name, name_test *test, const void *context)
 {
+	if (is_behind_hash(p, where)) {
+		const char *nearest =
+			names_nearest(&p->expand->names, name, is_directive_name, NULL);
+		parser_error(p, where, "there is no directive #%s%s%s%s", name,
+			nearest ? "; did you mean #" : "", nearest ? nearest : "",
+			nearest ? "?" : "");
+		return;
+	}
 	const span later = find_later(p, where, name);
 	if (later.source) {
 		parser_error(

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What would be right, where the likely cause of an error is a habit from another
+ * language or one of the usual slips: notes behind the message.
+ */
+#include "parser/build.h"
+#include "parser/expand.h"
+
+#include "grammar.tab.h"
+
+#include <string.h>
+
+bool note_operator(struct parser *p, int token, span where)
+{
+	if (token == T_LE || token == T_GE || token == T_NE || token == '<' || token == '>' ||
+		token == '=' || token == '&' || token == '|' || token == '?')
+		parser_note(p, where, "a comparison needs parentheses here: (a > b)");
+	else if (token == '%')
+		parser_note(p, where, "there is no operator %%: write mod(a, b)");
+	else
+		return false;
+	return true;
+}
+
+bool is_object_modifier(enum keyword word)
+{
+	switch (word) {
+	case K_BOUNDED_BY:
+	case K_CLIPPED_BY:
+	case K_FINISH:
+	case K_HOLLOW:
+	case K_INTERIOR:
+	case K_INTERIOR_TEXTURE:
+	case K_INVERSE:
+	case K_MATERIAL:
+	case K_MATRIX:
+	case K_NO_IMAGE:
+	case K_NO_REFLECTION:
+	case K_NO_SHADOW:
+	case K_NORMAL:
+	case K_PHOTONS:
+	case K_PIGMENT:
+	case K_ROTATE:
+	case K_SCALE:
+	case K_TEXTURE:
+	case K_TRANSFORM:
+	case K_TRANSLATE:
+	case K_UV_MAPPING:
+		return true;
+	default:
+		return false;
+	}
+}
+
+static bool is_colour_word(enum keyword word)
+{
+	return word == K_COLOR || (word >= K_RGB && word <= K_RGBT) ||
+	       (word >= K_SRGB && word <= K_SRGBT);
+}
+
+/* The statement in whose braces a word belongs; K_NONE: it has several, or stands anywhere. */
+static enum keyword home_of(enum keyword word)
+{
+	switch (word) {
+	case K_AMBIENT:
+	case K_BRILLIANCE:
+	case K_CONSERVE_ENERGY:
+	case K_CRAND:
+	case K_DIFFUSE:
+	case K_IRID:
+	case K_METALLIC:
+	case K_PHONG:
+	case K_PHONG_SIZE:
+	case K_REFLECTION:
+	case K_ROUGHNESS:
+	case K_SPECULAR:
+		return K_FINISH;
+	case K_DISPERSION:
+	case K_IOR:
+		return K_INTERIOR;
+	case K_COLOR_MAP:
+	case K_IMAGE_MAP:
+	case K_PIGMENT_MAP:
+		return K_PIGMENT;
+	case K_BUMP_MAP:
+	case K_BUMP_SIZE:
+	case K_FACETS:
+	case K_NORMAL_MAP:
+		return K_NORMAL;
+	case K_LOCATION:
+	case K_LOOK_AT:
+	case K_SKY:
+		return K_CAMERA;
+	case K_AMBIENT_LIGHT:
+	case K_ASSUMED_GAMMA:
+	case K_CHARSET:
+	case K_MAX_TRACE_LEVEL:
+		return K_GLOBAL_SETTINGS;
+	case K_AREA_LIGHT:
+	case K_POINT_AT:
+	case K_SHADOWLESS:
+	case K_SPOTLIGHT:
+		return K_LIGHT_SOURCE;
+	default:
+		return is_colour_word(word) ? K_PIGMENT : K_NONE;
+	}
+}
+
+static bool note_home(struct parser *p, const struct queued *t, const struct opening *open)
+{
+	const enum keyword home = home_of(t->value.keyword);
+	if (home == K_NONE || (open && open->token != '{') || (open && open->keyword == home))
+		return false;
+	parser_note(p, t->where, "%s belongs in %s { }", keyword_name(t->value.keyword),
+		keyword_name(home));
+	return true;
+}
+
+/* `rgb 0.1, 0.2`: the components of a vector without its brackets. */
+static bool note_vector(struct parser *p, const struct queued *t, const struct opening *open)
+{
+	const struct raw_token *word = raw_before(p, t->where, 2);
+	const bool in_parentheses = open && open->token == '(' &&
+				    (open->keyword == K_NONE || is_colour_word(open->keyword));
+	if (in_parentheses)
+		parser_note(p, t->where, "a vector is written in angle brackets: <a, b, c>");
+	else if (word && word->kind == RAW_KEYWORD)
+		parser_note(p, t->where, "several numbers are written as one vector: %s <a, b, c>",
+			keyword_name((enum keyword)word->payload));
+	else
+		return false;
+	return true;
+}
+
+/* Parentheses behind a name that is not called. */
+static bool note_call(struct parser *p, const struct queued *t)
+{
+	const struct raw_token *raw = raw_before(p, t->where, 1);
+	if (!raw || raw->kind != RAW_NAME)
+		return false;
+	const struct name *name = &p->expand->names.list[raw->payload];
+	if (name->binding && name->binding->slot->kind == VALUE_ARRAY)
+		parser_note(p, t->where, "an element of an array is written %s[1]", name->text);
+	else
+		parser_note(p, t->where, "'%s' is neither a macro nor a function", name->text);
+	return true;
+}
+
+/* A token that cannot follow an operand. */
+static bool note_behind_operand(struct parser *p, const struct run *run, const struct queued *t)
+{
+	if (t->token != '=' || run->start_token != T_START_SCENE || run->depth)
+		return t->token != '<' && note_operator(p, t->token, t->where);
+	parser_note(p, run->where_before,
+		"a name is given a value by #declare or #local: #declare A = 1;");
+	return true;
+}
+
+static bool is_operator(int token)
+{
+	return token > ' ' && token < 127 && strchr("+-*/<>=&|?:!,(", token);
+}
+
+bool note_hint(struct parser *p, const struct run *run, const struct opening *open)
+{
+	const struct queued *t = run->last;
+	const int token = t->token, before = run->token_before;
+	const enum keyword word = t->value.keyword;
+	if (token == before && (token == '=' || token == '&' || token == '|'))
+		parser_note(p, t->where, "the operator is '%c', not '%c%c'", token, token, token);
+	else if (token == ')' && before == T_STRING)
+		parser_note(p, t->where, "a string can only be compared here: (S = \"x\")");
+	else if (token == '+' && before == T_STRING)
+		parser_note(p, t->where, "strings are joined by concat(S, T)");
+	else if (token == '\'')
+		parser_note(p, t->where, "a string stands in double quotes");
+	else if (token == ';' && run->start_token == T_START_SCENE)
+		parser_note(p, t->where, "a ';' ends directives only, such as #declare");
+	else if (is_directive(word))
+		parser_note(p, t->where, "a directive begins with '#': #%s", keyword_name(word));
+	else if (is_colour_word(word) && is_operator(before))
+		parser_note(p, t->where,
+			"a colour in an expression must be declared: #declare C = rgb 1;");
+	else if (token == ',')
+		return note_vector(p, t, open);
+	else if (note_home(p, t, open))
+		return true;
+	else if (token == T_ARRAY)
+		parser_note(p, t->where, "an element of an array is written %s[1]",
+			token_name(&t->value));
+	else if (token == '(')
+		return note_call(p, t);
+	else
+		return ends_operand(before) && note_behind_operand(p, run, t);
+	return true;
+}

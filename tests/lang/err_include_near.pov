@@ -1,0 +1,2 @@
+// The name of an include file, nearly.
+#include "err_undeclared_inclde.inc"
