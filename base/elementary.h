@@ -5,7 +5,8 @@
  * them by processor and promises nothing of their last bit. What IEEE 754
  * defines to the bit (sqrt, floor, fmod, fma ...) may come from anywhere.
  *
- * Special cases are those of annex F of the C standard. Error bounds are in
+ * Special cases are those of annex F of the C standard; a NaN that is made has
+ * the sign that POV-Ray prints. Error bounds are in
  * units of the last place, of which rounding alone takes a half; the largest
  * ones found are in brackets (tests/bench/elementary_error.c).
  */

@@ -107,7 +107,7 @@ double elementary_asinh(double x)
 double elementary_acosh(double x)
 {
 	if (!(x > 1))
-		return x == 1 ? 0 : isnan(x) ? x : NAN;
+		return x == 1 ? 0 : isnan(x) ? x : no_value();
 	if (!(x < 0x1p60))
 		return log_of_double(x);
 	/* ln(x + sqrt((x - 1) (x + 1))) */
@@ -122,7 +122,7 @@ double elementary_atanh(double x)
 	if (!(size >= 0x1p-20)) /* one more term than the first is enough */
 		return size < 0x1p-40 ? x : x + x * x * x * (1. / 3);
 	if (!(size < 1))
-		return size == 1 ? x * INFINITY : isnan(x) ? x : NAN;
+		return size == 1 ? x * INFINITY : isnan(x) ? x : no_value();
 	/* ln((1 + x) / (1 - x)) / 2, the quotient as 1 + 2 x / (1 - x) */
 	const struct pair q = pair_quotient((struct pair){ 2 * size, 0 }, pair_sum(1, -size));
 	struct pair sum = pair_sum(1, q.high);

@@ -37,6 +37,13 @@ static inline double power_of_two(int n)
 	return double_of((uint64_t)(n + 1023) << 52);
 }
 
+/* What a function gives where it has no value. The sign is seen where numbers are printed: POV-Ray
+ * prints "-nan" for most and "nan" for asin, acos and log10. A processor would add its own. */
+static inline double no_value(void)
+{
+	return double_of(UINT64_C(0xfff8000000000000));
+}
+
 /* Adding and subtracting it rounds to a whole number, which then stands in the low bits of the sum. */
 #define ROUNDER 0x1.8p52
 

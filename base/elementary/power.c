@@ -62,7 +62,7 @@ double elementary_pow(double x, double y)
 		if (x < 0) {
 			const enum parity parity = parity_of(y);
 			if (parity == FRACTION)
-				return NAN;
+				return no_value();
 			sign = parity == ODD ? -1 : 1;
 			bits = bits_of(-x);
 		}

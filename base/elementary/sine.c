@@ -77,7 +77,7 @@ static inline bool is_extreme(double x)
 double elementary_sin(double x)
 {
 	if (is_extreme(x))
-		return fabs(x) < 1 ? x : x - x;
+		return fabs(x) < 1 ? x : isnan(x) ? x : no_value();
 	const struct reduced a = reduce(x);
 	return sine_at(a.r, a.quadrant);
 }
@@ -85,7 +85,7 @@ double elementary_sin(double x)
 double elementary_cos(double x)
 {
 	if (is_extreme(x))
-		return fabs(x) < 1 ? 1 : x - x;
+		return fabs(x) < 1 ? 1 : isnan(x) ? x : no_value();
 	const struct reduced a = reduce(x);
 	return sine_at(a.r, a.quadrant + 1);
 }
@@ -93,7 +93,7 @@ double elementary_cos(double x)
 double elementary_tan(double x)
 {
 	if (is_extreme(x))
-		return fabs(x) < 1 ? x : x - x;
+		return fabs(x) < 1 ? x : isnan(x) ? x : no_value();
 	const struct reduced a = reduce(x);
 	struct pair s = sine_of(a.r, 0), c = sine_of(a.r, 1);
 	s = pair_ordered_sum(s.high, s.low);
