@@ -3,6 +3,7 @@
  * Affine transformations; see transform.h for the conventions.
  */
 #include "base/transform.h"
+#include "base/elementary.h"
 
 #include <string.h>
 
@@ -51,12 +52,11 @@ static transform from_rotation(const double r[3][3])
 transform transform_rotate(vec3 degrees)
 {
 	const vec3 a = vec_scale(degrees, RADIANS_PER_DEGREE);
-	const double about_x[3][3] = { { 1, 0, 0 }, { 0, cos(a.x), sin(a.x) },
-		{ 0, -sin(a.x), cos(a.x) } };
-	const double about_y[3][3] = { { cos(a.y), 0, -sin(a.y) }, { 0, 1, 0 },
-		{ sin(a.y), 0, cos(a.y) } };
-	const double about_z[3][3] = { { cos(a.z), sin(a.z), 0 }, { -sin(a.z), cos(a.z), 0 },
-		{ 0, 0, 1 } };
+	const vec3 c = vec(elementary_cos(a.x), elementary_cos(a.y), elementary_cos(a.z));
+	const vec3 s = vec(elementary_sin(a.x), elementary_sin(a.y), elementary_sin(a.z));
+	const double about_x[3][3] = { { 1, 0, 0 }, { 0, c.x, s.x }, { 0, -s.x, c.x } };
+	const double about_y[3][3] = { { c.y, 0, -s.y }, { 0, 1, 0 }, { s.y, 0, c.y } };
+	const double about_z[3][3] = { { c.z, s.z, 0 }, { -s.z, c.z, 0 }, { 0, 0, 1 } };
 	const transform x = from_rotation(about_x), y = from_rotation(about_y);
 	const transform z = from_rotation(about_z);
 	const transform xy = transform_compose(&x, &y);

@@ -73,6 +73,12 @@ static inline vec3 vec_normalize(vec3 a)
 	const double length = vec_length(a);
 	return length > 0 ? vec_scale(a, 1 / length) : a;
 }
+/* The square root of a² + b² in each coordinate. */
+static inline vec3 vec_hypot(vec3 a, vec3 b)
+{
+	return vec(sqrt(a.x * a.x + b.x * b.x), sqrt(a.y * a.y + b.y * b.y),
+		sqrt(a.z * a.z + b.z * b.z));
+}
 static inline vec3 vec_min(vec3 a, vec3 b)
 {
 	return vec(fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z));

@@ -5,6 +5,7 @@
  */
 #include "parser/build.h"
 
+#include "base/elementary.h"
 #include "base/transform.h"
 #include "base/vec3.h"
 #include "grammar.tab.h"
@@ -111,23 +112,23 @@ struct number builtin_float(struct parser *p, enum keyword word, struct number n
 	/* clang-format off */
 	switch (word) {
 	case K_ABS:     r = fabs(a); break;
-	case K_ACOS:    r = acos(clamp_unit(p, word, a, where)); break;
-	case K_ASIN:    r = asin(clamp_unit(p, word, a, where)); break;
-	case K_ATAN:    r = atan(a); break;
-	case K_ACOSH:   r = acosh(a); break;
-	case K_ASINH:   r = asinh(a); break;
-	case K_ATANH:   r = atanh(a); break;
+	case K_ACOS:    r = elementary_acos(clamp_unit(p, word, a, where)); break;
+	case K_ASIN:    r = elementary_asin(clamp_unit(p, word, a, where)); break;
+	case K_ATAN:    r = elementary_atan(a); break;
+	case K_ACOSH:   r = elementary_acosh(a); break;
+	case K_ASINH:   r = elementary_asinh(a); break;
+	case K_ATANH:   r = elementary_atanh(a); break;
 	case K_CEIL:    r = ceil(a); break;
 	case K_FLOOR:   r = floor(a); break;
-	case K_COS:     r = cos(a); break;
-	case K_SIN:     r = sin(a); break;
-	case K_TAN:     r = tan(a); break;
-	case K_COSH:    r = cosh(a); break;
-	case K_SINH:    r = sinh(a); break;
-	case K_TANH:    r = tanh(a); break;
-	case K_EXP:     r = exp(a); break;
-	case K_LN:      r = log(positive(p, word, !(a <= 0), a, where)); break;
-	case K_LOG:     r = log10(positive(p, word, !(a <= 0), a, where)); break;
+	case K_COS:     r = elementary_cos(a); break;
+	case K_SIN:     r = elementary_sin(a); break;
+	case K_TAN:     r = elementary_tan(a); break;
+	case K_COSH:    r = elementary_cosh(a); break;
+	case K_SINH:    r = elementary_sinh(a); break;
+	case K_TANH:    r = elementary_tanh(a); break;
+	case K_EXP:     r = elementary_exp(a); break;
+	case K_LN:      r = elementary_log(positive(p, word, !(a <= 0), a, where)); break;
+	case K_LOG:     r = elementary_log10(positive(p, word, !(a <= 0), a, where)); break;
 	case K_SQRT:    r = sqrt(positive(p, word, !(a < 0), a, where)); break;
 	case K_INT:     r = number_truncate(a); break;
 	case K_DEGREES: r = a / (PI / 180); break;
@@ -175,11 +176,11 @@ static double two_floats(const struct call *c)
 	case K_ATAN2:
 		if (fabs(a) <= TOLERANCE && fabs(b) <= TOLERANCE)
 			parser_error(c->p, c->where, "atan2(0, 0) is not defined");
-		return atan2(a, b);
+		return elementary_atan2(a, b);
 	case K_POW:
 		if (a == 0 && b == 0)
 			parser_error(c->p, c->where, "pow(0, 0) is not defined");
-		return pow(a, b);
+		return elementary_pow(a, b);
 	case K_DIV:
 		return number_truncate(a / b);
 	default:
@@ -249,7 +250,8 @@ static struct number turbulence(const struct call *c)
 static vec3 rotate_about(vec3 v, vec3 axis, double degrees)
 {
 	const vec3 k = vec_scale(axis, 1 / sqrt(vec_dot(axis, axis)));
-	const double a = degrees * (PI / 180), c = cos(a), s = sin(a), d = 1 - c;
+	const double a = degrees * (PI / 180), c = elementary_cos(a), s = elementary_sin(a),
+		     d = 1 - c;
 	return (vec3){
 		v.x * (k.x * k.x + c * (1 - k.x * k.x)) + v.y * (k.x * k.y * d - k.z * s) +
 			v.z * (k.x * k.z * d + k.y * s),

@@ -4,6 +4,8 @@
  * maps made of them. Components are computed in double and stored as float.
  */
 #include "parser/build.h"
+
+#include "base/elementary.h"
 #include "parser/expand.h"
 
 #include <math.h>
@@ -35,8 +37,9 @@ static float decode(float c, float gamma)
 {
 	if (gamma < 0)
 		return c;
-	const float linear = c > 0.04045f ? powf((c + 0.055f) / 1.055f, 2.4f) : c / 12.92f;
-	return gamma == 1 ? linear : powf(linear, 1.0f / gamma);
+	const float linear =
+		c > 0.04045f ? elementary_powf((c + 0.055f) / 1.055f, 2.4f) : c / 12.92f;
+	return gamma == 1 ? linear : elementary_powf(linear, 1.0f / gamma);
 }
 
 struct number colour_word(struct parser *p, enum keyword word, struct number n, span where)

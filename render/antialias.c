@@ -14,6 +14,7 @@
 #include "render/antialias.h"
 
 #include "base/arena.h"
+#include "base/elementary.h"
 #include "render/tables.h"
 
 #include <stdlib.h>
@@ -25,14 +26,14 @@
 
 static float srgb_decode(float x)
 {
-	return x < 0.04045f ? x / 12.92f : powf((x + 0.055f) / 1.055f, 2.4f);
+	return x < 0.04045f ? x / 12.92f : elementary_powf((x + 0.055f) / 1.055f, 2.4f);
 }
 
 static float encode(const struct sampler *s, float x)
 {
 	if (s->decodes_srgb)
 		x = srgb_decode(x);
-	return powf(x < 0 ? 0 : x, s->exponent); /* NaN stays, and compares as equal */
+	return elementary_powf(x < 0 ? 0 : x, s->exponent); /* NaN stays, and compares as equal */
 }
 
 static struct sample sample_of(const struct sampler *s, colour c)

@@ -7,6 +7,7 @@
 #include "lambert/lambert.h"
 
 #include "base/arena.h"
+#include "base/elementary.h"
 #include "render/image.h"
 #include "render/image_format.h"
 
@@ -97,7 +98,7 @@ static void measure_pixels(
 	for (int c = 0; c < 4; c++)
 		d->rmse[c] = sqrt(squares[c] / n);
 	d->rmse_all = sqrt((squares[0] + squares[1] + squares[2]) / (3 * n));
-	d->psnr = d->rmse_all > 0 ? 20 * log10(255 / d->rmse_all) : INFINITY;
+	d->psnr = d->rmse_all > 0 ? 20 * elementary_log10(255 / d->rmse_all) : INFINITY;
 	d->within_1 = (double)within[0] / n;
 	d->within_2 = (double)within[1] / n;
 	d->within_8 = (double)within[2] / n;

@@ -6,6 +6,8 @@
  * do not attenuate each other's colour.
  */
 #include "render/shading.h"
+
+#include "base/elementary.h"
 #include "render/texture/noise.h"
 
 double fog_mean_density(double s, double e)
@@ -13,18 +15,18 @@ double fog_mean_density(double s, double e)
 	if (s <= 0 && e <= 0)
 		return 1;
 	if (s <= 0)
-		return (atan(e) - s) / (e - s);
+		return (elementary_atan(e) - s) / (e - s);
 	if (e <= 0)
-		return (atan(s) - e) / (s - e);
+		return (elementary_atan(s) - e) / (s - e);
 	if (fabs(s - e) <= NEARLY_ZERO)
 		return 1 / (s * s + 1);
-	return (atan(s) - atan(e)) / (s - e);
+	return (elementary_atan(s) - elementary_atan(e)) / (s - e);
 }
 
 /* Turbulence shortens the way. The vector sets the frequency, turb_depth the strength. */
 static double turbulent_length(const struct scene *scene, const struct fog *fog, ray r, double z)
 {
-	const double near = exp(-z / fog->distance);
+	const double near = elementary_exp(-z / fog->distance);
 	const vec3 q = vec_mul(ray_at(r, z / 2), fog->turbulence);
 	const double noise =
 		fog->turb_depth * noise_turbulence_scalar(q, fog->octaves, fog->omega, fog->lambda,
@@ -41,7 +43,7 @@ static double fog_transmittance(const struct scene *scene, const struct fog *fog
 		length *= fog_mean_density(
 			(start - fog->offset) / fog->altitude, (end - fog->offset) / fog->altitude);
 	}
-	return fmax(exp(-length / fog->distance), fog->colour.transmit);
+	return fmax(elementary_exp(-length / fog->distance), fog->colour.transmit);
 }
 
 void fog_effect(const struct scene *scene, ray r, double length, rgb *factor, rgb *added)

@@ -6,6 +6,8 @@
  * is, so light that could not matter costs no shadow ray.
  */
 #include "render/shading.h"
+
+#include "base/elementary.h"
 #include "render/texture/noise.h"
 
 #define HALF_PI 1.57079632679489661923
@@ -17,7 +19,7 @@ rgb metallic_factor(float metallic, rgb pigment, double cosine)
 {
 	double fresnel = 0; /* a curve close to Fresnel's, for angles in quarter turns */
 	if (cosine <= 1) {
-		const double x = acos(fmax(-1, cosine)) / HALF_PI;
+		const double x = elementary_acos(fmax(-1, cosine)) / HALF_PI;
 		fresnel = 0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903;
 		fresnel = fmin(1, fmax(0, fresnel));
 	}
@@ -40,9 +42,9 @@ rgb irid_factor(const struct worker *w, const struct point *at, const struct fin
 	const double phase =
 		TWO_PI * thickness *
 		(fabs(vec_dot(normal, direction)) + fabs(vec_dot(normal, at->surface.direction)));
-	return (rgb){ (float)(1 + f->irid * cos(phase / wavelength.r)),
-		(float)(1 + f->irid * cos(phase / wavelength.g)),
-		(float)(1 + f->irid * cos(phase / wavelength.b)) };
+	return (rgb){ (float)(1 + f->irid * elementary_cos(phase / wavelength.r)),
+		(float)(1 + f->irid * elementary_cos(phase / wavelength.g)),
+		(float)(1 + f->irid * elementary_cos(phase / wavelength.b)) };
 }
 
 /* The lights of a grid are attenuated one by one. */

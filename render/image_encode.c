@@ -14,6 +14,7 @@
 #include "render/image_encode.h"
 
 #include "base/arena.h"
+#include "base/elementary.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -36,14 +37,15 @@ static struct working_space simplified(struct working_space s)
 
 static float power(float x, float exponent)
 {
-	return powf(fmaxf(x, 0), exponent);
+	return elementary_powf(fmaxf(x, 0), exponent);
 }
 
 static float curve_encode(struct working_space curve, float x)
 {
 	switch (curve.transfer) {
 	case TRANSFER_SRGB:
-		return x <= 0.0031308f ? 12.92f * x : 1.055f * powf(x, 1 / 2.4f) - 0.055f;
+		return x <= 0.0031308f ? 12.92f * x
+				       : 1.055f * elementary_powf(x, 1 / 2.4f) - 0.055f;
 	case TRANSFER_POWER:
 		return power(x, 1 / curve.gamma);
 	default:
@@ -55,7 +57,7 @@ static float curve_decode(struct working_space curve, float y)
 {
 	switch (curve.transfer) {
 	case TRANSFER_SRGB:
-		return y < 0.04045f ? y / 12.92f : powf((y + 0.055f) / 1.055f, 2.4f);
+		return y < 0.04045f ? y / 12.92f : elementary_powf((y + 0.055f) / 1.055f, 2.4f);
 	case TRANSFER_POWER:
 		return power(y, curve.gamma);
 	default:

@@ -6,6 +6,8 @@
  */
 #include "render/shading.h"
 
+#include "base/elementary.h"
+
 double light_direction(const struct light *light, vec3 centre, vec3 p, vec3 *direction)
 {
 	const vec3 to_light = vec_sub(centre, p);
@@ -43,7 +45,7 @@ static double spot_attenuation(const struct light *light, vec3 direction, double
 	const double cosine = distance > 0 ? -along : along;
 	if (cosine <= 0)
 		return 0;
-	const double lobe = light->tightness != 0 ? pow(cosine, light->tightness) : 1;
+	const double lobe = light->tightness != 0 ? elementary_pow(cosine, light->tightness) : 1;
 	if (light->radius > 0 && cosine < light->radius)
 		return lobe * smooth_step(light->falloff, light->radius, cosine);
 	return lobe;
@@ -60,7 +62,7 @@ static double cylinder_attenuation(const struct light *light, vec3 p)
 	if (off_axis >= light->falloff)
 		return 0;
 	const double x = 1 - off_axis / light->falloff;
-	const double lobe = light->tightness != 0 ? pow(x, light->tightness) : 1;
+	const double lobe = light->tightness != 0 ? elementary_pow(x, light->tightness) : 1;
 	if (light->radius > 0 && off_axis > light->radius)
 		return lobe * smooth_step(0, 1 - light->radius / light->falloff, x);
 	return lobe;
@@ -75,7 +77,8 @@ double light_attenuation(const struct light *light, vec3 p, vec3 direction, doub
 		a = cylinder_attenuation(light, p);
 	if (a > 0 && light->fade_power > 0 && fabs(light->fade_distance) > NEARLY_ZERO) {
 		const double far = distance / light->fade_distance;
-		a *= 2 / (1 + (light->fade_power == 2 ? far * far : pow(far, light->fade_power)));
+		a *= 2 / (1 + (light->fade_power == 2 ? far * far
+						      : elementary_pow(far, light->fade_power)));
 	}
 	return a;
 }

@@ -7,6 +7,8 @@
  */
 #include "render/shading.h"
 
+#include "base/elementary.h"
+
 double fresnel_reflectance(double eta, double cosine)
 {
 	const double q = eta * eta + cosine * cosine - 1;
@@ -28,7 +30,7 @@ static rgb falloff_reflectivity(const struct finish *f, double cosine)
 {
 	double k = 1 - cosine;
 	if (fabs(f->reflection_falloff - 1) > NEARLY_ZERO)
-		k = pow(k, f->reflection_falloff);
+		k = elementary_pow(k, f->reflection_falloff);
 	if (fabs(k) <= NEARLY_ZERO)
 		return f->reflection_min;
 	if (fabs(k - 1) <= NEARLY_ZERO)
@@ -91,8 +93,8 @@ rgb interior_fading(const struct interior *i, double z)
 	const rgb k = i->fade_colour;
 	const rgb rest = { 1 - k.r, 1 - k.g, 1 - k.b };
 	if (i->fade_power >= 1000)
-		return (rgb){ (float)exp(-rest.r * x), (float)exp(-rest.g * x),
-			(float)exp(-rest.b * x) };
+		return (rgb){ (float)elementary_exp(-rest.r * x),
+			(float)elementary_exp(-rest.g * x), (float)elementary_exp(-rest.b * x) };
 	return rgb_add(k, rgb_scale(rest, 1 / (1 + power_of(x, i->fade_power))));
 }
 

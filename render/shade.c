@@ -8,6 +8,8 @@
  */
 #include "render/shading.h"
 
+#include "base/elementary.h"
+
 /* What the layers of one plain texture amount to. */
 struct stack {
 	rgb light; /* their own */
@@ -199,7 +201,7 @@ static bool same_direction(vec3 a, vec3 b)
 
 static float raise(float base, float exponent)
 {
-	return base > 0 ? (float)pow(base, exponent) : 0;
+	return base > 0 ? (float)elementary_pow(base, exponent) : 0;
 }
 
 static rgb reflection_trace(struct worker *w, const struct point *at, const struct reflection *r)

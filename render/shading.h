@@ -14,6 +14,8 @@
 #define LAMBERT_RENDER_SHADING_H
 
 #include "render/accel.h"
+
+#include "base/elementary.h"
 #include "render/texture.h"
 #include "render/trace.h"
 
@@ -135,7 +137,7 @@ static inline bool rgb_is_zero(rgb c)
 static inline double power_of(double base, double exponent)
 {
 	if (!(exponent >= 0 && exponent <= 4096) || exponent != (double)(int)exponent)
-		return pow(base, exponent);
+		return elementary_pow(base, exponent);
 	double result = 1;
 	for (unsigned n = (unsigned)exponent; n != 0; n >>= 1, base *= base)
 		result *= n & 1 ? base : 1;

@@ -6,6 +6,8 @@
  */
 #include "render/shading.h"
 
+#include "base/elementary.h"
+
 #include <float.h>
 
 /* The share of light one plain texture lets through. */
@@ -20,8 +22,8 @@ static rgb layers_tint(
 		if (pigment_colour(layer->pigment, part->p, s, &c))
 			tint = rgb_mul(tint, colour_tint(c));
 		if (caustics != 0)
-			tint = rgb_scale(
-				tint, 1 + pow(fabs(vec_dot(normal, s->direction)), caustics));
+			tint = rgb_scale(tint,
+				1 + elementary_pow(fabs(vec_dot(normal, s->direction)), caustics));
 	}
 	return tint;
 }

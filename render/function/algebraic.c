@@ -6,6 +6,8 @@
  */
 #include "render/function/internal.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 
 #define UNUSED(name) (void)(name)
@@ -32,9 +34,9 @@ static void sweep(double *x, double *y, double z, double on, double radius, doub
 		*x = r;
 		return;
 	}
-	const double turned = r * cos(a) - *y * sin(a);
-	*y = r * sin(a) + *y * cos(a);
-	*x = turned;
+	const double c = elementary_cos(a), s = elementary_sin(a);
+	*x = r * c - *y * s;
+	*y = r * s + *y * c;
 }
 
 double f_algbr_cyl1(double x, double y, double z, const double *p, const struct function_world *w)

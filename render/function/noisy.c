@@ -5,6 +5,7 @@
  */
 #include "render/function/internal.h"
 
+#include "base/elementary.h"
 #include "render/function/ridged.h"
 #include "render/texture/noise.h"
 
@@ -47,7 +48,7 @@ double f_hetero_mf(double x, double y, double z, const double *p, const struct f
 	vec3 q = vec(x, y, z);
 	double s = signed_noise(q, generator) + offset;
 	q = vec_scale(q, lacunarity);
-	const double step = pow(lacunarity, -p[0]);
+	const double step = elementary_pow(lacunarity, -p[0]);
 	double weight = step;
 	int i = 1;
 	for (; i < octaves; i++) {
@@ -102,7 +103,7 @@ static double square_of(double v)
 /* The weight of an octave, of that frequency; octave 0 is the second one. */
 static double ridged_weight(const struct ridged_table *t, int octave, double frequency)
 {
-	return octave < RIDGED_WEIGHTS ? t->weights[octave] : pow(frequency, -t->h);
+	return octave < RIDGED_WEIGHTS ? t->weights[octave] : elementary_pow(frequency, -t->h);
 }
 
 double f_ridged_mf(double x, double y, double z, const double *p, const struct function_world *w)

@@ -6,6 +6,7 @@
  */
 #include "render/function/program.h"
 
+#include "base/elementary.h"
 #include "base/spline.h"
 #include "render/pattern.h"
 #include "render/texture.h"
@@ -41,9 +42,9 @@ static double binary(enum opcode op, double a, double b)
 	case OP_OR:
 		return a != 0 || b != 0;
 	case OP_ATAN2:
-		return atan2(a, b);
+		return elementary_atan2(a, b);
 	case OP_POW:
-		return pow(a, b);
+		return elementary_pow(a, b);
 	case OP_MOD:
 		return fmod(a, b);
 	case OP_DIV:
@@ -61,29 +62,29 @@ static double unary(enum opcode op, double a)
 {
 	switch (op) {
 	case OP_SIN:
-		return sin(a);
+		return elementary_sin(a);
 	case OP_COS:
-		return cos(a);
+		return elementary_cos(a);
 	case OP_TAN:
-		return tan(a);
+		return elementary_tan(a);
 	case OP_ASIN:
-		return asin(a);
+		return elementary_asin(a);
 	case OP_ACOS:
-		return acos(a);
+		return elementary_acos(a);
 	case OP_ATAN:
-		return atan(a);
+		return elementary_atan(a);
 	case OP_SINH:
-		return sinh(a);
+		return elementary_sinh(a);
 	case OP_COSH:
-		return cosh(a);
+		return elementary_cosh(a);
 	case OP_TANH:
-		return tanh(a);
+		return elementary_tanh(a);
 	case OP_ASINH:
-		return asinh(a);
+		return elementary_asinh(a);
 	case OP_ACOSH:
-		return acosh(a);
+		return elementary_acosh(a);
 	case OP_ATANH:
-		return atanh(a);
+		return elementary_atanh(a);
 	case OP_INT:
 		return truncated(a);
 	case OP_FLOOR:
@@ -91,11 +92,11 @@ static double unary(enum opcode op, double a)
 	case OP_CEIL:
 		return ceil(a);
 	case OP_EXP:
-		return exp(a);
+		return elementary_exp(a);
 	case OP_LN:
-		return log(a);
+		return elementary_log(a);
 	case OP_LOG:
-		return log10(a);
+		return elementary_log10(a);
 	default:
 		return 0;
 	}

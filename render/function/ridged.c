@@ -4,6 +4,8 @@
  */
 #include "render/function/ridged.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 #include <stddef.h>
 
@@ -28,7 +30,7 @@ void ridged_settle(struct ridged_table *t, double h, double lacunarity)
 	t->lacunarity = lacunarity;
 	double frequency = lacunarity;
 	for (int i = 0; i < RIDGED_WEIGHTS; i++) {
-		t->weights[i] = pow(frequency, -h);
+		t->weights[i] = elementary_pow(frequency, -h);
 		frequency *= lacunarity;
 	}
 }

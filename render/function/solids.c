@@ -5,6 +5,8 @@
  */
 #include "render/function/internal.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 
 #define UNUSED(name) (void)(name)
@@ -24,7 +26,9 @@ static double cross_section(double a, double b, double exponent)
 		return sqrt(a * a + b * b);
 	if (exponent == 0)
 		return fmax(fabs(a), fabs(b));
-	return pow(pow(fabs(a), 2 / exponent) + pow(fabs(b), 2 / exponent), exponent * 0.5);
+	return elementary_pow(
+		elementary_pow(fabs(a), 2 / exponent) + elementary_pow(fabs(b), 2 / exponent),
+		exponent * 0.5);
 }
 
 double f_blob(double x, double y, double z, const double *p, const struct function_world *w)
@@ -40,7 +44,8 @@ double f_blob2(double x, double y, double z, const double *p, const struct funct
 {
 	UNUSED(w);
 	const double rest = y * y + z * z;
-	return p[3] - p[2] * (exp(-p[1] * (x * x + rest)) + exp(-p[1] * (square(x - p[0]) + rest)));
+	return p[3] - p[2] * (elementary_exp(-p[1] * (x * x + rest)) +
+				     elementary_exp(-p[1] * (square(x - p[0]) + rest)));
 }
 
 double f_comma(double x, double y, double z, const double *p, const struct function_world *w)
@@ -48,8 +53,9 @@ double f_comma(double x, double y, double z, const double *p, const struct funct
 	UNUSED(w);
 	if (x == 0 && z == 0)
 		x = 0.0001;
-	const double angle = atan2(z, x), r = sqrt(square(x + p[0] / 4) + z * z);
-	const double tail = p[0] / 2 * cos(angle / 2) - sqrt(square(r - 0.75 * p[0]) + y * y);
+	const double angle = elementary_atan2(z, x), r = sqrt(square(x + p[0] / 4) + z * z);
+	const double tail =
+		p[0] / 2 * elementary_cos(angle / 2) - sqrt(square(r - 0.75 * p[0]) + y * y);
 	const double head = p[0] / 2 - sqrt(square(x - p[0] / 2) + z * z + y * y);
 	return -fmax(fmin(z, tail), head);
 }
@@ -58,9 +64,9 @@ double f_comma(double x, double y, double z, const double *p, const struct funct
 static void bells(double x, double y, double z, double flat, double steep, double out[3])
 {
 	const double x2 = x * x, y2 = y * y, z2 = z * z;
-	out[0] = exp(-steep * (flat * x2 + flat * y2 + z2));
-	out[1] = exp(-steep * (flat * x2 + y2 + flat * z2));
-	out[2] = exp(-steep * (x2 + flat * y2 + flat * z2));
+	out[0] = elementary_exp(-steep * (flat * x2 + flat * y2 + z2));
+	out[1] = elementary_exp(-steep * (flat * x2 + y2 + flat * z2));
+	out[2] = elementary_exp(-steep * (x2 + flat * y2 + flat * z2));
 }
 
 double f_cross_ellipsoids(
@@ -94,13 +100,15 @@ double f_spikes(double x, double y, double z, const double *p, const struct func
 	UNUSED(w);
 	double e[3];
 	bells(x, y, z, p[0], p[1], e);
-	return -p[2] * (p[4] * exp(-p[3] * (x * x + y * y + z * z)) - e[0] - e[1] - e[2]);
+	return -p[2] *
+	       (p[4] * elementary_exp(-p[3] * (x * x + y * y + z * z)) - e[0] - e[1] - e[2]);
 }
 
 double f_spikes_2d(double x, double y, double z, const double *p, const struct function_world *w)
 {
 	UNUSED(w);
-	return y - p[0] * cos(p[1] * x) * cos(p[2] * z) * exp(-p[3] * (x * x + z * z));
+	return y - p[0] * elementary_cos(p[1] * x) * elementary_cos(p[2] * z) *
+			   elementary_exp(-p[3] * (x * x + z * z));
 }
 
 double f_ellipsoid(double x, double y, double z, const double *p, const struct function_world *w)
@@ -133,22 +141,24 @@ double f_th(double x, double y, double z, const double *p, const struct function
 	UNUSED(y);
 	UNUSED(p);
 	UNUSED(w);
-	return atan2(x, z);
+	return elementary_atan2(x, z);
 }
 
 double f_ph(double x, double y, double z, const double *p, const struct function_world *w)
 {
 	UNUSED(p);
 	UNUSED(w);
-	return atan2(sqrt(x * x + z * z), y);
+	return elementary_atan2(sqrt(x * x + z * z), y);
 }
 
 double f_superellipsoid(
 	double x, double y, double z, const double *p, const struct function_world *w)
 {
 	UNUSED(w);
-	const double round = pow(fabs(x), 2 / p[0]) + pow(fabs(y), 2 / p[0]);
-	return 1 - pow(pow(round, p[0] / p[1]) + pow(fabs(z), 2 / p[1]), p[1] * 0.5);
+	const double round = elementary_pow(fabs(x), 2 / p[0]) + elementary_pow(fabs(y), 2 / p[0]);
+	return 1 - elementary_pow(
+			   elementary_pow(round, p[0] / p[1]) + elementary_pow(fabs(z), 2 / p[1]),
+			   p[1] * 0.5);
 }
 
 /* How far a coordinate is beyond the flat part of a side. */
@@ -172,12 +182,15 @@ double f_helical_torus(
 	const double r = sqrt(x * x + z * z);
 	if (x == 0 && z == 0)
 		x = OFF_AXIS;
-	const double around = atan2(x, z), tube = atan2(r - p[0], y);
+	const double around = elementary_atan2(x, z), tube = elementary_atan2(r - p[0], y);
 	const double q = sqrt(square(r - p[0]) + y * y);
 	double angle = fmod(around * p[1] + tube * p[2], 2 * M_PI);
 	if (angle < 0)
 		angle += 2 * M_PI;
-	double t = cos(atan2((angle - M_PI) * p[8], q - p[5]) * p[7] + around * p[9]) * p[3] + p[4];
+	double t = elementary_cos(elementary_atan2((angle - M_PI) * p[8], q - p[5]) * p[7] +
+				  around * p[9]) *
+			   p[3] +
+		   p[4];
 	const double u = p[4] + p[5] - p[0] - r;
 	angle -= M_PI;
 	t -= fmin(sqrt(square(q - p[5]) + angle * angle * p[6]), q + p[5]);
@@ -190,14 +203,15 @@ double f_helix1(double x, double y, double z, const double *p, const struct func
 	const double r = sqrt(x * x + z * z);
 	if (x == 0 && z == 0)
 		x = OFF_AXIS;
-	double angle = fmod(atan2(z, x) * p[0] + y * p[1] * p[0], 2 * M_PI);
+	double angle = fmod(elementary_atan2(z, x) * p[0] + y * p[1] * p[0], 2 * M_PI);
 	if (angle < 0)
 		angle += 2 * M_PI;
 	double c = (angle - M_PI) / p[4] / (p[1] * p[0]), a = r - p[3];
 	if (p[5] != 1 && p[6] != 0) {
 		const double turn = p[6] * (M_PI / 180), old = a;
-		a = old * cos(turn) - c * sin(turn);
-		c = old * sin(turn) + c * cos(turn);
+		const double cosine = elementary_cos(turn), sine = elementary_sin(turn);
+		a = old * cosine - c * sine;
+		c = old * sine + c * cosine;
 	}
 	return fmin(p[3] + r, cross_section(a, c, p[5])) - p[2];
 }
@@ -205,10 +219,14 @@ double f_helix1(double x, double y, double z, const double *p, const struct func
 double f_helix2(double x, double y, double z, const double *p, const struct function_world *w)
 {
 	UNUSED(w);
-	const double c = cos(y * p[1]), s = sin(y * p[1]);
+	const double c = elementary_cos(y * p[1]), s = elementary_sin(y * p[1]);
 	const double a = x - p[3] * c, b = z - p[3] * s;
 	return cross_section(a * c + b * s, -a * s + b * c, p[5]) - p[2];
 }
+
+/* Of the double that is next to a third of pi. */
+#define COS_60 0.50000000000000011
+#define SIN_60 0.8660254037844386
 
 /* The position within a hexagonal cell, and its angle. */
 static double hexagon(double *a, double *b, double x, double y)
@@ -221,7 +239,7 @@ static double hexagon(double *a, double *b, double x, double y)
 		*a = a2;
 		*b = b2;
 	}
-	return atan2(*b, *a);
+	return elementary_atan2(*b, *a);
 }
 
 double f_hex_x(double x, double y, double z, const double *p, const struct function_world *w)
@@ -231,7 +249,7 @@ double f_hex_x(double x, double y, double z, const double *p, const struct funct
 	UNUSED(w);
 	double a, b;
 	const double angle = hexagon(&a, &b, x, y);
-	return angle < M_PI / 6 ? a : a * cos(M_PI / 3) + b * sin(M_PI / 3);
+	return angle < M_PI / 6 ? a : a * COS_60 + b * SIN_60;
 }
 
 double f_hex_y(double x, double y, double z, const double *p, const struct function_world *w)
@@ -241,7 +259,7 @@ double f_hex_y(double x, double y, double z, const double *p, const struct funct
 	UNUSED(w);
 	double a, b;
 	const double angle = hexagon(&a, &b, x, y);
-	return angle < M_PI / 6 ? b : fabs(-a * sin(M_PI / 3) + b * cos(M_PI / 3));
+	return angle < M_PI / 6 ? b : fabs(-a * SIN_60 + b * COS_60);
 }
 
 /* Distance from the nearest thread of one direction of a mesh. */
@@ -261,7 +279,8 @@ static double woven(double height, double scale, double across, double width)
 double f_mesh1(double x, double y, double z, const double *p, const struct function_world *w)
 {
 	UNUSED(w);
-	const double along_z = cos(z * M_PI / p[1]) * p[3], along_x = cos(x * M_PI / p[0]) * p[3];
+	const double along_z = elementary_cos(z * M_PI / p[1]) * p[3],
+		     along_x = elementary_cos(x * M_PI / p[0]) * p[3];
 	const double a = woven(y - along_z, p[4], thread(x, p[0]), p[2]);
 	const double b = woven(y + along_z, p[4], thread(x - p[0], p[0]), p[2]);
 	const double c = woven(y + along_x, p[4], thread(z, p[1]), p[2]);
@@ -283,7 +302,8 @@ double f_polytubes(double x, double y, double z, const double *p, const struct f
 	double nearest = -10000;
 	for (int i = 0; i < (int)p[0]; i++) {
 		const double angle = 2 * M_PI * i / p[0];
-		const double d = sqrt(square(x - r * sin(angle)) + square(z - r * cos(angle)));
+		const double d = sqrt(square(x - r * elementary_sin(angle)) +
+				      square(z - r * elementary_cos(angle)));
 		nearest = fmax(nearest, -d);
 	}
 	return -nearest;
@@ -295,9 +315,9 @@ double f_quantum(double x, double y, double z, const double *p, const struct fun
 	UNUSED(w);
 	if (x == 0 && z == 0)
 		x = OFF_AXIS;
-	const double r = sqrt(x * x + z * z), c = cos(atan2(r, y));
+	const double r = sqrt(x * x + z * z), c = elementary_cos(elementary_atan2(r, y));
 	const double q = 2 * sqrt(r * r + y * y);
-	const double t = q * q * exp(-0.33333333 * q) * (3 * c * c - 1);
+	const double t = q * q * elementary_exp(-0.33333333 * q) * (3 * c * c - 1);
 	return -0.1 * (t * t - 12);
 }
 
@@ -308,7 +328,7 @@ double f_spiral(double x, double y, double z, const double *p, const struct func
 	double r = sqrt(x * x + z * z);
 	if (x == 0 && z == 0)
 		x = OFF_AXIS;
-	r += p[0] * atan2(z, x) / (2 * M_PI);
+	r += p[0] * elementary_atan2(z, x) / (2 * M_PI);
 	const double q = cross_section(fmod(r, p[0]) - p[0] / 2, y, p[5]);
 	return -fmin(p[2] - radius, p[1] - fmin(q, radius));
 }

@@ -5,6 +5,8 @@
  */
 #include "render/lower/draft.h"
 
+#include "base/elementary.h"
+
 #define EPSILON		   1e-10
 #define RADIANS_PER_DEGREE 0.017453292519943296
 
@@ -31,7 +33,8 @@ static void apply_angle(struct camera_items *c)
 {
 	if (c->angle <= 0)
 		return;
-	const double length = vec_length(c->right) / (2 * tan(c->angle * RADIANS_PER_DEGREE / 2));
+	const double length =
+		vec_length(c->right) / (2 * elementary_tan(c->angle * RADIANS_PER_DEGREE / 2));
 	c->direction = vec_scale(vec_normalize(c->direction), length);
 }
 

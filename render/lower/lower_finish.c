@@ -4,6 +4,8 @@
  */
 #include "render/lower/looks.h"
 
+#include "base/elementary.h"
+
 #include <string.h>
 
 const struct finish_state finish_state_fresh = {
@@ -224,8 +226,8 @@ static void apply_albedo(struct finish *f, const struct albedo *albedo)
 		f->phong *= (f->phong_size + 1) / 2;
 	if (albedo->specular) {
 		const double power = (double)f->specular_power;
-		f->specular =
-			(float)((double)f->specular * (power + 2) / (4 * (2 - pow(2, -power / 2))));
+		f->specular = (float)((double)f->specular * (power + 2) /
+				      (4 * (2 - elementary_pow(2, -power / 2))));
 	}
 }
 

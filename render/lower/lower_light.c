@@ -4,6 +4,8 @@
  * resets the cone; transformations move what has been read so far.
  */
 #include "render/lower/lower.h"
+
+#include "base/elementary.h"
 #include "render/lower/draft.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943296
@@ -199,7 +201,7 @@ void light_finish(struct light *light)
 	const vec3 axis = vec_sub(light->point_at, light->location);
 	light->axis = vec_normalize(axis);
 	if (light->type == LIGHT_SPOT) {
-		light->radius = cos(light->radius * RADIANS_PER_DEGREE);
-		light->falloff = cos(light->falloff * RADIANS_PER_DEGREE);
+		light->radius = elementary_cos(light->radius * RADIANS_PER_DEGREE);
+		light->falloff = elementary_cos(light->falloff * RADIANS_PER_DEGREE);
 	}
 }

@@ -6,6 +6,8 @@
  * at first; an outer one only if it can hold a nearer point.
  */
 #include "render/pattern/patterns.h"
+
+#include "base/elementary.h"
 #include "render/texture/noise.h"
 
 #define EPSILON 1e-10
@@ -43,7 +45,8 @@ static double measure(const struct search *s, vec3 d)
 	case METRIC_POWER:
 		break;
 	}
-	return pow(fabs(d.x), s->power) + pow(fabs(d.y), s->power) + pow(fabs(d.z), s->power);
+	return elementary_pow(fabs(d.x), s->power) + elementary_pow(fabs(d.y), s->power) +
+	       elementary_pow(fabs(d.z), s->power);
 }
 
 /* Among equals the lower offset is the nearest. */
@@ -83,7 +86,7 @@ static bool can_matter(const struct search *s, double gap, int rank)
 	case METRIC_POWER:
 		break;
 	}
-	return !(s->power > 0 && pow(gap, s->power) > limit);
+	return !(s->power > 0 && elementary_pow(gap, s->power) > limit);
 }
 
 /* The nine cells on one outer side: component `axis` is `side`, the others -1 to 1. */
@@ -136,13 +139,15 @@ static void crackle_build(void *self)
 	else if (c->metric == 2)
 		c->offset_power = c->offset * c->offset;
 	else
-		c->offset_power = c->metric == 1 ? c->offset : pow(c->offset, c->metric);
+		c->offset_power = c->metric == 1 ? c->offset : elementary_pow(c->offset, c->metric);
 }
 
 static double root(const struct crackle *c, double sum)
 {
 	sum += c->offset_power;
-	return c->metric == 2 ? sqrt(sum) : c->metric == 1 ? sum : pow(sum, 1 / c->metric);
+	return c->metric == 2	? sqrt(sum)
+	       : c->metric == 1 ? sum
+				: elementary_pow(sum, 1 / c->metric);
 }
 
 static double crackle_value(const struct pattern *pattern, vec3 q, struct surface *surface)

@@ -3,6 +3,8 @@
  * bozo, spotted, bumps, dents, granite, wrinkles, agate: noise, and sums of it.
  */
 #include "render/pattern/patterns.h"
+
+#include "base/elementary.h"
 #include "render/texture/noise.h"
 
 static double bozo_value(const struct pattern *pattern, vec3 q, struct surface *surface)
@@ -89,7 +91,7 @@ static double agate_value(const struct pattern *pattern, vec3 q, struct surface 
 	const double noise = noise_turbulence_scalar(
 		q, t->octaves, t->omega, t->lambda, pattern->noise_generator);
 	const double c = 0.5 * (cycloid(1.3 * (double)agate->amount * noise + 1.1 * q.z) + 1);
-	return c < 0 ? 0 : c > 1 ? 1 : pow(c, 0.77);
+	return c < 0 ? 0 : c > 1 ? 1 : elementary_pow(c, 0.77);
 }
 
 static const struct pattern_param agate_params[] = {

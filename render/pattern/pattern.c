@@ -4,6 +4,7 @@
  */
 #include "render/pattern.h"
 
+#include "base/elementary.h"
 #include "render/pattern/patterns.h"
 #include "render/texture/noise.h"
 
@@ -60,7 +61,7 @@ static double wave_value(const struct pattern *pattern, double v)
 	case WAVE_CUBIC:
 		return v * v * (3 - 2 * v);
 	case WAVE_POLY:
-		return pow(v, (double)pattern->exponent);
+		return elementary_pow(v, (double)pattern->exponent);
 	}
 	return v;
 }

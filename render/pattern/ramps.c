@@ -5,6 +5,8 @@
  */
 #include "render/pattern/patterns.h"
 
+#include "base/elementary.h"
+
 #define PI 3.14159265358979323846
 
 struct gradient {
@@ -85,7 +87,7 @@ const struct pattern_class pattern_onion = { .name = "onion", .value = onion_val
 static double leopard_value(const struct pattern *pattern, vec3 q, struct surface *surface)
 {
 	(void)pattern, (void)surface;
-	const double v = (sin(q.x) + sin(q.y) + sin(q.z)) / 3;
+	const double v = (elementary_sin(q.x) + elementary_sin(q.y) + elementary_sin(q.z)) / 3;
 	return v * v;
 }
 const struct pattern_class pattern_leopard = { .name = "leopard", .value = leopard_value };
@@ -98,7 +100,7 @@ static double radial_value(const struct pattern *pattern, vec3 q, struct surface
 	(void)pattern, (void)surface;
 	if (fabs(q.x) < RADIAL_CORE && fabs(q.z) < RADIAL_CORE)
 		return 0.25;
-	return 0.25 + (atan2(q.x, q.z) + PI) / (2 * PI);
+	return 0.25 + (elementary_atan2(q.x, q.z) + PI) / (2 * PI);
 }
 
 static const float radial_values[] = { 0, 0.333f, 0.666f, 1 };

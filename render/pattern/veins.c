@@ -5,6 +5,8 @@
  * the spirals besides.
  */
 #include "render/pattern/patterns.h"
+
+#include "base/elementary.h"
 #include "render/texture/noise.h"
 
 #define PI 3.14159265358979323846
@@ -79,7 +81,8 @@ static double spiral_ramp(const struct pattern *pattern, vec3 q)
 	const double r = sqrt(q.x * q.x + q.y * q.y);
 	double angle = 0;
 	if (r > 0)
-		angle = q.x >= 0 ? PI / 2 + asin(q.y / r) : 3 * PI / 2 - asin(q.y / r);
+		angle = q.x >= 0 ? PI / 2 + elementary_asin(q.y / r)
+				 : 3 * PI / 2 - elementary_asin(q.y / r);
 	return q.z + r + spiral->arms * angle / (2 * PI) + ramp_turbulence(pattern, q);
 }
 

@@ -91,8 +91,7 @@ static bool cone_absorb(void *self, const transform *t)
 /* The box of an ellipse about `centre` whose conjugate radii are u and v, times `radius`. */
 static box ellipse_box(vec3 centre, vec3 u, vec3 v, double radius)
 {
-	const vec3 reach = vec(fabs(radius) * hypot(u.x, v.x), fabs(radius) * hypot(u.y, v.y),
-		fabs(radius) * hypot(u.z, v.z));
+	const vec3 reach = vec_scale(vec_hypot(u, v), fabs(radius));
 	return (box){ vec_sub(centre, reach), vec_add(centre, reach) };
 }
 

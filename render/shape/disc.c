@@ -43,7 +43,7 @@ static box disc_bounds(const void *self)
 	const vec3 centre = transform_point(&d->frame, vec(0, 0, 0));
 	const vec3 u = transform_direction(&d->frame, vec(r, 0, 0));
 	const vec3 v = transform_direction(&d->frame, vec(0, r, 0));
-	const vec3 reach = vec(hypot(u.x, v.x), hypot(u.y, v.y), hypot(u.z, v.z));
+	const vec3 reach = vec_hypot(u, v);
 	return (box){ vec_sub(centre, reach), vec_add(centre, reach) };
 }
 

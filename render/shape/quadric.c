@@ -7,6 +7,8 @@
  */
 #include "render/shape.h"
 
+#include "base/elementary.h"
+
 struct quadric {
 	vec3 squares, mixed, linear;
 	double constant;
@@ -177,7 +179,8 @@ static size_t quadric_half_spaces(const void *self, struct half_space *out)
 	const vec3 v = vec_cross(axis, u);
 	for (int i = 0; i < SHAPE_HALF_SPACES; i++) {
 		const double angle = 2 * M_PI * i / SHAPE_HALF_SPACES;
-		const vec3 n = vec_mad(vec_scale(u, cos(angle)), sin(angle), v);
+		const vec3 n =
+			vec_mad(vec_scale(u, elementary_cos(angle)), elementary_sin(angle), v);
 		const double reach = sqrt(depth * vec_dot(n, solve_with(q, stretched, n)));
 		out[i] = (struct half_space){ n,
 			vec_dot(n, centre) + reach * (1 + 1e-9) + 1e-12 * vec_length(centre) };

@@ -8,6 +8,8 @@
  */
 #include "render/shape.h"
 
+#include "base/elementary.h"
+
 struct sphere {
 	vec3 centre;
 	double radius; /* < 0: the raw normal points inwards */
@@ -121,9 +123,9 @@ static void sphere_uv(
 		d = transform_direction_back(absorbed, d);
 	d = vec_normalize(d);
 	const bool pole = d.x * d.x + d.z * d.z <= 1e-10; /* the language calls this a pole */
-	const double longitude = pole ? 0 : atan2(d.z, d.x);
+	const double longitude = pole ? 0 : elementary_atan2(d.z, d.x);
 	uv[0] = (longitude < 0 ? longitude + 2 * M_PI : longitude) / (2 * M_PI);
-	uv[1] = 0.5 + asin(fmin(fmax(d.y, -1), 1)) / M_PI;
+	uv[1] = 0.5 + elementary_asin(fmin(fmax(d.y, -1), 1)) / M_PI;
 }
 
 const struct shape_class shape_sphere = {

@@ -10,6 +10,8 @@
  */
 #include "render/shape.h"
 
+#include "base/elementary.h"
+
 #include <float.h>
 
 struct superellipsoid {
@@ -61,8 +63,8 @@ static double power_mean(double a, double b, double k, double *by_a, double *by_
 		*by_a = *by_b = 0;
 		return 0;
 	}
-	const double ratio = small / big, power = pow(ratio, k);
-	const double root = pow(1 + power, 1 / k);
+	const double ratio = small / big, power = elementary_pow(ratio, k);
+	const double root = elementary_pow(1 + power, 1 / k);
 	const double by_big = root / (1 + power);
 	const double by_small = small > 0 ? by_big * power / ratio : 0;
 	*by_a = a >= b ? by_big : by_small;

@@ -7,6 +7,8 @@
  * the cubic one vanishes. `sturm` asks for care that is always taken.
  */
 #include "render/shape.h"
+
+#include "base/elementary.h"
 #include "render/shape/polynomial.h"
 
 struct torus {
@@ -140,8 +142,8 @@ static void torus_uv(
 	(void)hit;
 	(void)absorbed;
 	const double rho = sqrt(p.x * p.x + p.z * p.z);
-	uv[0] = 1 - (atan2(p.z, p.x) + M_PI) / (2 * M_PI);
-	uv[1] = (atan2(p.y, rho - o->major) + M_PI) / (2 * M_PI);
+	uv[0] = 1 - (elementary_atan2(p.z, p.x) + M_PI) / (2 * M_PI);
+	uv[1] = (elementary_atan2(p.y, rho - o->major) + M_PI) / (2 * M_PI);
 }
 
 const struct shape_class shape_torus = {

@@ -5,6 +5,7 @@
  */
 #include "render/texture/warp.h"
 
+#include "base/elementary.h"
 #include "render/texture/noise.h"
 
 #define TWO_PI 6.28318530717958647692
@@ -67,7 +68,8 @@ vec3 warp_black_hole(const void *self, vec3 p)
 	const double length = vec_length(d);
 	if (length >= w->radius)
 		return p;
-	const double pull = w->strength * pow((w->radius - length) / w->radius, w->falloff);
+	const double pull =
+		w->strength * elementary_pow((w->radius - length) / w->radius, w->falloff);
 	const double m = pull < 1 ? pull : 1;
 	return vec_mad(p, w->inverse ? -m : m, d);
 }
@@ -78,7 +80,7 @@ static double turn(double x, double z)
 	if (z == 0)
 		return x > 0 ? 0 : 0.5;
 	const double c = x / sqrt(x * x + z * z);
-	const double angle = acos(c < -1 ? -1 : c > 1 ? 1 : c);
+	const double angle = elementary_acos(c < -1 ? -1 : c > 1 ? 1 : c);
 	return (z < 0 ? TWO_PI - angle : angle) / TWO_PI;
 }
 
@@ -94,7 +96,9 @@ static vec3 orient(const struct warp_wrap *w, vec3 p)
 /* What circumferences are multiplied by at distance `length`. */
 static double stretch(const struct warp_wrap *w, double length)
 {
-	return w->exponent == 1 ? length : w->exponent == 0 ? 1 : pow(length, w->exponent);
+	return w->exponent == 1	  ? length
+	       : w->exponent == 0 ? 1
+				  : elementary_pow(length, w->exponent);
 }
 
 vec3 warp_cylindrical(const void *self, vec3 p)
@@ -115,7 +119,7 @@ vec3 warp_spherical(const void *self, vec3 p)
 	const vec3 unit = vec_scale(p, 1 / length);
 	const double s = stretch(w, length), y = unit.y < -1 ? -1 : unit.y > 1 ? 1 : unit.y;
 	const double u = unit.x == 0 && unit.z == 0 ? 0 : turn(unit.x, unit.z);
-	return orient(w, vec(u * s, (0.5 + 2 * asin(y) / TWO_PI) * s, length));
+	return orient(w, vec(u * s, (0.5 + 2 * elementary_asin(y) / TWO_PI) * s, length));
 }
 
 vec3 warp_toroidal(const void *self, vec3 p)
@@ -125,7 +129,7 @@ vec3 warp_toroidal(const void *self, vec3 p)
 	if (length == 0)
 		return p;
 	const double x = length - w->major_radius, m = sqrt(x * x + p.y * p.y);
-	double v = acos(-x / m) / TWO_PI;
+	double v = elementary_acos(-x / m) / TWO_PI;
 	if (p.y > 0)
 		v = 1 - v;
 	const double s = stretch(w, m);
