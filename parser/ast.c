@@ -190,6 +190,9 @@ static void check_argument(struct parser *p, struct arg *arg, char letter)
 {
 	if (arg->kind != ARG_NUMBER)
 		return; /* the grammar has seen to it */
+	const struct number *n = &arg->number;
+	if (!n->leftover && n->terms == (letter == 'f' ? 1 : letter == 'v' ? 3 : 0))
+		return;
 	switch (letter) {
 	case 'f':
 		arg->number = number_float(number_to_float(p, arg->number, arg->span));

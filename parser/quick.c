@@ -337,14 +337,20 @@ static bool sum_of_products(struct quick *q, struct number *n)
 	return read_chain(q, n, read_product, sum_operator);
 }
 
+/* What stands behind most sums, and is no part of any. */
+static inline bool ends_plainly(unsigned kind)
+{
+	return kind == ',' || kind == '>' || kind == ')' || kind == ';' || kind == ']' ||
+	       kind == '}';
+}
+
 /* A literal alone, the commonest of all sums. */
 static bool read_plain(struct quick *q, struct number *n)
 {
 	const struct raw_token *raw = q->at;
 	if (q->end - raw < 2)
 		return false;
-	const unsigned next = raw[1].kind;
-	if (next != ',' && next != '>' && next != ')' && next != ';' && next != ']' && next != '}')
+	if (!ends_plainly(raw[1].kind))
 		return false;
 	if (raw->kind == RAW_INTEGER)
 		*n = number_float(raw->payload);
@@ -356,9 +362,30 @@ static bool read_plain(struct quick *q, struct number *n)
 	return true;
 }
 
+/* The same for a vector of literals: n may be written to in vain. */
+static bool read_plain_vector(struct quick *q, struct number *n)
+{
+	const struct raw_token *const first = q->at;
+	if (quick_next(q) != '<')
+		return false;
+	*n = (struct number){ .terms = 0 };
+	do {
+		struct number term;
+		q->at++;
+		const bool negative = quick_skip(q, '-');
+		if (!read_plain(q, &term))
+			break;
+		n->v[n->terms++] = negative ? -term.v[0] : term.v[0];
+	} while (n->terms < 5 && quick_next(q) == ',');
+	if (n->terms > 1 && quick_skip(q, '>') && ends_plainly(quick_next(q)))
+		return true;
+	q->at = first;
+	return false;
+}
+
 bool quick_read_sum(struct quick *q, struct number *n)
 {
-	if (read_plain(q, n))
+	if (read_plain(q, n) || read_plain_vector(q, n))
 		return true;
 	if (!quick_go_down(q))
 		return false;

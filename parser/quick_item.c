@@ -42,21 +42,21 @@ static struct item take_word(struct quick *q)
 	return item;
 }
 
-/* From a place to the token read last. */
+/* From a place in the text to the token read last, most often a bracket. */
 static span up_to_here(const struct quick *q, span from)
 {
-	return span_join(from, raw_span_at(q->p, q->at - 1));
+	const struct raw_token *last = q->at - 1;
+	const uint32_t length = last->kind < RAW_INTEGER ? 1 : raw_span_at(q->p, last).length;
+	from.length = last->offset + length - from.offset;
+	return from;
 }
 
 /* -- Values ------------------------------------------------------------------------------- */
 
-/* From a token to the one read last. */
 static span since(const struct quick *q, const struct raw_token *first)
 {
-	span where = raw_span_at(q->p, q->at - 1);
-	where.length += where.offset - first->offset;
-	where.offset = first->offset;
-	return where;
+	const struct frame *f = q->frame;
+	return up_to_here(q, (span){ f->source->number, first->offset, 0, f->site });
 }
 
 static bool read_argument(struct quick *q, size_t *index)

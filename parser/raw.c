@@ -9,9 +9,9 @@
 size_t raw_word_length(const char *text)
 {
 	size_t length = 0;
-	while (text[length] == '_' || (text[length] >= 'a' && text[length] <= 'z') ||
-		(text[length] >= 'A' && text[length] <= 'Z') ||
-		(length && text[length] >= '0' && text[length] <= '9'))
+	if (text[0] >= '0' && text[0] <= '9')
+		return 0;
+	while (is_word_character(text[length]))
 		length++;
 	return length;
 }

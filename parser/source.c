@@ -13,27 +13,33 @@
 
 enum { PIECE = 1 << 15 }; /* tokens: they fit into a cache */
 
+static inline bool is_digit(char c)
+{
+	return c >= '0' && c <= '9';
+}
+
 /* Literals of up to 15 digits and small exponents are exact with one division or product of
  * doubles; strtod does the rest. */
-double number_at(const char *text, size_t *length)
+double number_behind(const char *text, size_t digits, uint64_t mantissa, size_t *length)
 {
 	static const double powers[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10,
 		1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
-	const char *p = text;
-	uint64_t mantissa = 0;
-	unsigned digits = 0;
+	const char *p = text + digits;
 	int exponent = 0;
-	for (; *p >= '0' && *p <= '9'; p++, digits++)
+	for (; is_digit(*p); p++, digits++)
 		mantissa = mantissa * 10 + (uint64_t)(*p - '0');
 	if (*p == '.') {
-		for (p++; *p >= '0' && *p <= '9'; p++, digits++, exponent--)
+		const char *const point = p++;
+		for (; is_digit(*p); p++)
 			mantissa = mantissa * 10 + (uint64_t)(*p - '0');
+		exponent = (int)(point + 1 - p);
+		digits += (size_t)-exponent;
 	}
 	if (*p == 'e' || *p == 'E') {
 		const bool negative = p[1] == '-';
 		p += 1 + (p[1] == '+' || p[1] == '-');
 		int value = 0;
-		for (; *p >= '0' && *p <= '9'; p++)
+		for (; is_digit(*p); p++)
 			value = value < 10000 ? value * 10 + (*p - '0') : value;
 		exponent += negative ? -value : value;
 	}
@@ -42,6 +48,11 @@ double number_at(const char *text, size_t *length)
 		return exponent < 0 ? (double)mantissa / powers[-exponent]
 				    : (double)mantissa * powers[exponent];
 	return strtod(text, NULL);
+}
+
+double number_at(const char *text, size_t *length)
+{
+	return number_behind(text, 0, 0, length);
 }
 
 static uint32_t grown(uint32_t room, uint32_t least)

@@ -85,8 +85,17 @@ bool source_continue(struct source *, bool forget, bool all);
 /* Frees the tokens of the source (the text stays for messages). */
 void source_finish(struct source *);
 
+/* Letters, digits and '_'. */
+static inline bool is_word_character(char c)
+{
+	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+	       c == '_';
+}
+
 /* Value and length of the number literal at `text`, which is one. */
 double number_at(const char *text, size_t *length);
+/* The same when its first digits have been read. */
+double number_behind(const char *text, size_t digits, uint64_t value, size_t *length);
 
 /* -- between the lexer and source.c -- */
 
