@@ -22,8 +22,8 @@ static const double SMALL = 0x1p-20;
 /* The function of a table, at x >= 0. */
 static inline struct pair arc_at(const struct arc_step *table, struct pair x)
 {
-	const double rounded = x.high * GRID + ROUNDER;
-	const double near = x.high - (rounded - ROUNDER) * (1. / GRID), d = near + x.low;
+	const double rounded = x.high + ROUNDER / GRID;
+	const double near = x.high - (rounded - ROUNDER / GRID), d = near + x.low;
 	const double head = (near + HEAD_ROUNDER) - HEAD_ROUNDER, tail = (near - head) + x.low;
 	const struct arc_step *a = &table[whole_of(rounded)];
 	const double *t = a->term, d2 = d * d, d4 = d2 * d2;

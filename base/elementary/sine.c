@@ -20,8 +20,8 @@
 
 /* Below this, three pieces of pi / 2 do. */
 static const double COMMON = 0x1p20;
-/* Reduced angles below this are not trusted to them. */
-static const double NEAR = 0x1p-25;
+/* Nearer to a multiple of pi / 2 they do not. So many second pieces stay below this, too. */
+static const double NEAR = 0x1p-13;
 /* Below this, one more term than the first is enough. */
 static const double SMALL = 0x1p-20;
 
@@ -32,11 +32,12 @@ static inline struct reduced reduce(double x)
 	if (fabs(x) < COMMON) {
 		const double rounded = x * PER_HALF_PI + ROUNDER, turns = rounded - ROUNDER;
 		/* The difference and the products of the first two pieces are exact. */
-		const struct pair r =
-			pair_sum(x - turns * HALF_PI_FIRST, -(turns * HALF_PI_SECOND));
-		if (fabs(r.high) >= NEAR)
+		const double rest = x - turns * HALF_PI_FIRST;
+		if (fabs(rest) >= NEAR) {
+			const struct pair r = pair_ordered_sum(rest, -(turns * HALF_PI_SECOND));
 			return (struct reduced){ { r.high, r.low - turns * HALF_PI_THIRD },
 				(unsigned)whole_of(rounded) };
+		}
 	}
 	return reduce_exactly(x);
 }
@@ -49,14 +50,14 @@ static inline struct pair sine_of(struct pair r, unsigned quadrant)
 		return quadrant & 1 ? (struct pair){ 1, square * -0.5 }
 				    : (struct pair){ r.high, r.low - r.high * square * (1. / 6) };
 	}
-	const double rounded = r.high * GRID + ROUNDER, u = (rounded - ROUNDER) * (1. / GRID);
+	const double rounded = r.high + ROUNDER / GRID, u = rounded - ROUNDER / GRID;
 	const struct sine_step *step = &sine_table[whole_of(rounded) + SINE_LAST];
 	const double *value = step->part[quadrant & 1], *slope = step->part[(quadrant & 1) + 1];
 	const double near = r.high - u, d = near + r.low, d2 = d * d;
 	const double head = (near + HEAD_ROUNDER) - HEAD_ROUNDER, tail = (near - head) + r.low;
 	const struct pair sum = pair_ordered_sum(value[0], slope[0] * head);
-	const double odd = d * d2 * (-1. / 6 + d2 * (1. / 120 + d2 * (-1. / 5040)));
-	const double even = d2 * (-0.5 + d2 * (1. / 24 + d2 * (-1. / 720)));
+	const double odd = d * d2 * ((-1. / 6 + d2 * (1. / 120)) + d2 * d2 * (-1. / 5040));
+	const double even = d2 * ((-0.5 + d2 * (1. / 24)) + d2 * d2 * (-1. / 720));
 	const double low = (slope[0] * tail + (slope[1] * d + value[1])) + sum.low +
 			   ((slope[0] + slope[1]) * odd + (value[0] + value[1]) * even);
 	return (struct pair){ sum.high, low };
