@@ -14,7 +14,6 @@
 #include "render/antialias.h"
 
 #include "base/arena.h"
-#include "base/elementary.h"
 #include "render/tables.h"
 
 #include <stdlib.h>
@@ -24,16 +23,16 @@
 
 /* ---- samples ---- */
 
-static float srgb_decode(float x)
+static float srgb_decode(const struct sampler *s, float x)
 {
-	return x < 0.04045f ? x / 12.92f : elementary_powf((x + 0.055f) / 1.055f, 2.4f);
+	return x < 0.04045f ? x / 12.92f : power_curve_at(&s->srgb, (x + 0.055f) / 1.055f);
 }
 
 static float encode(const struct sampler *s, float x)
 {
 	if (s->decodes_srgb)
-		x = srgb_decode(x);
-	return elementary_powf(x < 0 ? 0 : x, s->exponent); /* NaN stays, and compares as equal */
+		x = srgb_decode(s, x);
+	return power_curve_at(&s->gamma, x < 0 ? 0 : x); /* NaN stays, and compares as equal */
 }
 
 static struct sample sample_of(const struct sampler *s, colour c)
@@ -277,7 +276,10 @@ static void set_metric(struct sampler *s, const struct working_space *working)
 	const double exponent = (power ? (double)working->gamma : 1) / gamma;
 	s->decodes_srgb = working->transfer == TRANSFER_SRGB;
 	s->encodes = s->decodes_srgb || fabs(1 - exponent) > EXPONENT_ONE;
-	s->exponent = (float)exponent;
+	if (s->decodes_srgb)
+		power_curve_init(&s->srgb, 2.4f);
+	if (s->encodes)
+		power_curve_init(&s->gamma, (float)exponent);
 }
 
 void sampler_init(struct sampler *s, const struct antialias *settings,

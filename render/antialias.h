@@ -5,6 +5,7 @@
 #ifndef LAMBERT_RENDER_ANTIALIAS_H
 #define LAMBERT_RENDER_ANTIALIAS_H
 
+#include "base/power_curve.h"
 #include "render/film.h"
 
 #include <stdint.h>
@@ -32,7 +33,7 @@ struct sampler {
 	void *cancelled_user;
 	struct antialias settings;
 	bool encodes, decodes_srgb; /* how comparisons see colours */
-	float exponent;
+	struct power_curve srgb, gamma;
 	double jitter;		/* displacement at most, in pixels */
 	struct sample *samples; /* of the block: pixel centres or corners, and a border */
 	struct sample *grid;	/* method 2: of the pixel in hand */

@@ -5,6 +5,7 @@
  * standard, and the sign of what is no number; and that every compiler and machine gets the same bits.
  */
 #include "base/elementary.h"
+#include "base/power_curve.h"
 
 #include <float.h>
 #include <math.h>
@@ -40,7 +41,7 @@ static const double MOST_exp = 0.507, MOST_log = 0.503, MOST_log10 = 0.5005, MOS
 		    MOST_cos = 0.5005, MOST_tan = 0.5005, MOST_asin = 0.5005, MOST_acos = 0.5005,
 		    MOST_atan = 0.5005, MOST_sinh = 0.53, MOST_cosh = 0.507, MOST_tanh = 0.53,
 		    MOST_asinh = 0.5005, MOST_acosh = 0.5005, MOST_atanh = 0.5005, MOST_pow = 0.51,
-		    MOST_atan2 = 0.5005, MOST_powf = 0.5001;
+		    MOST_atan2 = 0.5005, MOST_powf = 0.5001, MOST_power_curve = 0.501;
 
 /* A random number in [0, 1) from a counter; fixed, so that failures repeat. */
 static double random_unit(uint64_t *state)
@@ -64,6 +65,12 @@ static double last_place(double x)
 	int exponent;
 	frexp(x, &exponent);
 	return ldexp(1, exponent < -1021 ? -1074 : exponent - 53);
+}
+
+/* Down to the sign of zero and of what is no number. */
+static bool same(double a, double b)
+{
+	return ((isnan(a) && isnan(b)) || a == b) && signbit(a) == signbit(b);
 }
 
 /* The error of a result, when the truth is low last places beyond high. */
@@ -210,6 +217,36 @@ static void float_powers_agree_with_double(void **unused)
 	}
 }
 
+static void power_curves_agree_with_double(void **unused)
+{
+	(void)unused;
+	static const float exponents[] = { 2.4f, 1 / 2.4f, 1 / 2.2f, 0.5f, 1, 0, -0.1f, -4, 4, 7 };
+	uint64_t state = 4;
+	for (size_t i = 0; i < sizeof exponents / sizeof *exponents; i++) {
+		struct power_curve curve;
+		power_curve_init(&curve, exponents[i]);
+		for (int k = 0; k < 50000; k++) {
+			const float x = (float)(k % 2 != 0 ? random_unit(&state)
+							   : random_size(&state, -126, 127));
+			const double truth = elementary_pow((double)x, (double)exponents[i]);
+			const float result = power_curve_at(&curve, x);
+			if (!(truth > 0x1p-126 && truth < 0x1.fffffep127)) {
+				assert_true(truth > 1 ? result > 3e38f : result <= 0x1p-126f);
+				continue;
+			}
+			const double error =
+				fabs((double)result - truth) / (last_place(truth) * 0x1p29);
+			if (!(error <= MOST_power_curve))
+				fail_msg("power curve (%a, %a): off by %g", (double)x,
+					(double)exponents[i], error);
+		}
+		static const float others[] = { 0, -0.0f, -1, 1, 1e-40f, INFINITY, -INFINITY, NAN };
+		for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+			assert_true(same((double)power_curve_at(&curve, others[k]),
+				(double)elementary_powf(others[k], exponents[i])));
+	}
+}
+
 /* ---- exact results, and order ---- */
 
 static void exact_powers_are_exact(void **unused)
@@ -286,10 +323,6 @@ static void is_monotone(void **unused)
 
 /* ---- special cases ---- */
 
-static bool same(double a, double b)
-{
-	return ((isnan(a) && isnan(b)) || a == b) && signbit(a) == signbit(b);
-}
 #define IS(call, wanted)                                                                           \
 	do {                                                                                       \
 		const double is = (call);                                                          \
@@ -515,6 +548,7 @@ int main(void)
 		cmocka_unit_test(agrees_with_table),
 		cmocka_unit_test(agrees_with_long_double),
 		cmocka_unit_test(float_powers_agree_with_double),
+		cmocka_unit_test(power_curves_agree_with_double),
 		cmocka_unit_test(exact_powers_are_exact),
 		cmocka_unit_test(is_monotone),
 		cmocka_unit_test(special_arguments),
