@@ -43,6 +43,7 @@ struct node_list {
 struct body {
 	size_t start;
 	struct node_list items;
+	bool has_bare_font; /* the first argument is a string without a word before it */
 };
 
 /* `red F` and the like behind (or instead of) a colour expression. */
@@ -191,7 +192,8 @@ struct node *parametric_node(struct parser *, span whole, span word,
 struct node *old_finish_node(
 	struct parser *, enum keyword, span whole, span word, double value, span);
 struct node *old_colour(struct parser *, struct colour_value, span);
-struct node *fog_colour(struct parser *, struct colour_value, span);
+struct node *old_named_colour(struct parser *, struct number_value, span);
+struct node *fog_number(struct parser *, struct colour_value, span);
 void rainbow_check(struct parser *, const struct node *);
 void default_add(struct parser *, struct node *);
 void set_gamma(struct parser *, float, span);
@@ -213,6 +215,9 @@ struct node *shape_node(struct parser *, enum keyword, span whole, span word, st
 /* Refuses items like `sturm` where they mean nothing. */
 void shape_check_items(struct parser *, const struct node *);
 struct body body_add(struct body, struct node *);
+/* Refuses a comma before the first argument. */
+void body_comma(struct parser *, struct body, span);
+struct body body_string(struct parser *, struct body, const char *text, span);
 struct node *shape_coefficients(struct parser *, enum keyword, span whole, span word, size_t start,
 	span at, struct node_list);
 

@@ -727,25 +727,24 @@ shape_body:
 shape_args:
 	  %empty { $$ = (struct body){ .start = args_height(p) }; }
 	| shape_args sum %prec ENDS { args_push_number(p, $2, @2); $$ = $1; }
-	| shape_args ',' sum %prec ENDS { args_push_number(p, $3, @3); $$ = $1; }
-	| shape_args text_font
-	| shape_args ',' text_font
+	| shape_args ',' sum %prec ENDS
+		{ body_comma(p, $1, @2); args_push_number(p, $3, @3); $$ = $1; }
+	| shape_args string { $$ = body_string(p, $1, $2.text, @2); }
+	| shape_args ',' string { body_comma(p, $1, @2); $$ = body_string(p, $1, $3.text, @3); }
+	| shape_args KW_TTF string { args_push_string(p, $3.raw, @2); $$ = $1; }
+	| shape_args KW_INTERNAL float { args_push_number(p, number_float($3), @2); $$ = $1; }
 	| shape_args parameter { $$ = body_add($1, $2); }
 	;
 shape_modified:
 	  shape_args modifier { $$ = body_add($1, $2); }
 	| shape_modified modifier { $$ = body_add($1, $2); }
 	| shape_modified parameter { $$ = body_add($1, $2); }
+	| shape_modified T_COLOUR %prec ENDS { $$ = body_add($1, old_named_colour(p, $2, @2)); }
 	;
 height_field_items:
 	  %empty { $$ = list_none(); }
 	| height_field_items parameter { $$ = list_add($1, $2); }
 	| height_field_items modifier { $$ = list_add($1, $2); }
-	;
-text_font:
-	  string { args_push_string(p, $1.text, @1); }
-	| KW_TTF string { args_push_string(p, $2.raw, @2); }
-	| KW_INTERNAL float { args_push_number(p, number_float($2), @2); }
 	;
 parameter:
 	  curve_word { $$ = node_new(p, $1, @$, @1); }
@@ -955,6 +954,7 @@ group_item:
 modifiers:
 	  %empty { $$ = list_none(); }
 	| modifiers modifier { $$ = list_add($1, $2); }
+	| modifiers T_COLOUR %prec ENDS { $$ = list_add($1, old_named_colour(p, $2, @2)); }
 	;
 modifier:
 	  transformation
@@ -1013,7 +1013,8 @@ importance_items:
 %type <node> texture pigment normal density finish;
 %type <node> texture_item normal_special density_special pattern image;
 %type <node> tiles material_map normal_pattern bitmap_item image_option modifier_item slope_item;
-%type <list> texture_body texture_items_plain texture_tail textures;
+%type <list> texture_body texture_names texture_items_plain texture_tail textures;
+%type <ref> texture_name;
 %type <list> pigment_body pigment_entry normal_body density_body density_entry pattern_body;
 %type <list> pigment_first pigment_entry_first pigment_ref density_ref density_first;
 %type <list> density_entry_first pattern_modifiers image_options bitmap_options slope_items amount;
@@ -1040,9 +1041,15 @@ texture_body:
 	| tiles texture_tail { $$ = list_join(list_one($1), $2); }
 	| material_map texture_tail { $$ = list_join(list_one($1), $2); }
 	;
-texture_items_plain:
+/* Names stand first. */
+texture_names:
 	  %empty { $$ = list_none(); }
 	| T_TEXTURE { $$ = list_one(node_reference(p, $1, @1)); }
+	| texture_names texture_name { $$ = list_add($1, node_reference(p, $2, @2)); }
+	;
+texture_name: T_PIGMENT | T_NORMAL | T_FINISH ;
+texture_items_plain:
+	  texture_names
 	| texture_items_plain texture_item { $$ = list_add($1, $2); }
 	;
 texture_item:
@@ -1051,9 +1058,6 @@ texture_item:
 	| finish
 	| transformation
 	| KW_NO_BUMP_SCALE { $$ = node_new(p, $1, @$, @1); }
-	| T_PIGMENT { $$ = node_reference(p, $1, @1); }
-	| T_NORMAL { $$ = node_reference(p, $1, @1); }
-	| T_FINISH { $$ = node_reference(p, $1, @1); }
 	;
 texture_tail:
 	  %empty { $$ = list_none(); }
@@ -1075,8 +1079,7 @@ flat_body:
 	| material_map texture_tail { $$ = list_join(list_one($1), $2); }
 	;
 flat_items:
-	  %empty { $$ = list_none(); }
-	| T_TEXTURE { $$ = list_one(node_reference(p, $1, @1)); }
+	  texture_names
 	| flat_items flat_item { $$ = list_add($1, $2); }
 	;
 flat_item:
@@ -1630,7 +1633,9 @@ fog_item:
 	  fog_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
 	| KW_TURBULENCE one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
 	| KW_UP one { $$ = node_fit(p, $1, @$, @1, $2, "v"); }
-	| colour %prec ENDS { $$ = fog_colour(p, $1, @1); }
+	| marked_colour %prec ENDS { $$ = colour_node(p, colour_full(p, $1, @1), @1); }
+	| full %prec ENDS { $$ = fog_number(p, (struct colour_value){ $1, NULL, true }, @$); }
+	| full parts %prec ENDS { $$ = fog_number(p, (struct colour_value){ $1, $2, true }, @$); }
 	| transformation
 	;
 fog_float:

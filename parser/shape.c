@@ -57,6 +57,19 @@ struct body body_add(struct body body, struct node *item)
 	return body;
 }
 
+void body_comma(struct parser *p, struct body body, span where)
+{
+	if (args_height(p) == body.start && !body.items.first)
+		parser_error(p, where, "unexpected ',' before the first value");
+}
+
+struct body body_string(struct parser *p, struct body body, const char *text, span where)
+{
+	body.has_bare_font |= args_height(p) == body.start;
+	args_push_string(p, text, where);
+	return body;
+}
+
 /* How many leading arguments there must be. */
 static size_t leading(const struct shape_form *form)
 {
@@ -203,6 +216,9 @@ struct node *shape_node(
 	const size_t found = g->arg_count - body.start;
 	struct node *node = NULL;
 	check_kinds(p, form, body.start);
+	if (keyword == K_TEXT && body.has_bare_font)
+		parser_error(p, g->args[body.start].span,
+			"text needs the word ttf before the name of a font file");
 	if (found < least) {
 		parser_error(p, word, "%s needs %s", keyword_name(keyword), form->names[found]);
 		g->arg_count = body.start + found;

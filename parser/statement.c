@@ -24,9 +24,26 @@ static bool is_transformation(enum keyword k)
 	       k == K_TRANSFORM;
 }
 
+/* What some cameras allow must be said before: an angle without a value, two of them. */
+static void check_angles(struct parser *p, struct node_list items)
+{
+	bool orthographic = false, spherical = false;
+	for (const struct node *n = items.first; n; n = n->next) {
+		orthographic |= n->keyword == K_ORTHOGRAPHIC;
+		spherical |= n->keyword == K_SPHERICAL;
+		if (n->keyword != K_ANGLE)
+			continue;
+		if (!n->arg_count && !orthographic)
+			parser_error(p, n->span, "angle needs a number of degrees");
+		else if (n->arg_count > 1 && !spherical)
+			parser_error(p, n->span, "only a spherical camera has a second angle");
+	}
+}
+
 /* From version 3.5 the type stands first, and a camera identifier takes transformations only. */
 void camera_check_order(struct parser *p, struct node_list items)
 {
+	check_angles(p, items);
 	if (p->state->version < 350)
 		return;
 	bool reference = false, item = false;
@@ -106,12 +123,19 @@ struct node *old_colour(struct parser *p, struct colour_value colour, span where
 	return colour_node(p, colour_full(p, colour, where), where);
 }
 
-/* A float alone is the distance, as in the oldest scenes. */
-struct node *fog_colour(struct parser *p, struct colour_value colour, span where)
+struct node *old_named_colour(struct parser *p, struct number_value colour, span where)
 {
-	if (colour.number.terms == 1 && !colour.parts)
-		return node_number(p, K_DISTANCE, where, where, colour.number, where);
-	return colour_node(p, colour_full(p, colour, where), where);
+	return old_colour(p, (struct colour_value){ colour.number, NULL, true }, where);
+}
+
+/* A float alone is the distance, as in the oldest scenes; anything else is the colour. */
+struct node *fog_number(struct parser *p, struct colour_value value, span where)
+{
+	if (value.number.terms > 1 || value.parts)
+		return colour_node(p, colour_full(p, colour_bare(p, value, where), where), where);
+	diag_warning(
+		p->diag, where, "the distance of a fog is written distance %g", value.number.v[0]);
+	return node_number(p, K_DISTANCE, where, where, value.number, where);
 }
 
 void rainbow_check(struct parser *p, const struct node *rainbow)

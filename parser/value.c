@@ -79,8 +79,19 @@ static void add(struct parser *p, struct elements *e, struct element element)
 	e->items[e->count++] = element;
 }
 
+/* No more can a declared value; the word is looked up only where it may have been. */
+static bool begins_with_t(struct parser *p, const struct value *value, span where)
+{
+	if (value->kind != VALUE_NUMBER || value->number.terms < 4)
+		return false;
+	const struct name *name = expand_name_at(p, where);
+	return name && name->keyword == K_T;
+}
+
 void elements_add(struct parser *p, struct elements *e, struct value value, span where)
 {
+	if (begins_with_t(p, &value, where))
+		parser_error(p, where, "a value cannot begin with t: write +t");
 	add(p, e, (struct element){ value, NULL, where });
 }
 

@@ -72,7 +72,8 @@ struct map_state {
 typedef const void *map_entry_reader(struct lowering *, const struct node *);
 
 /* A map statement, or a reference to one. `entry` reads the bodies; NULL: colours or slopes. */
-const struct map_state *lower_map(struct lowering *, const struct node *, map_entry_reader *entry);
+const struct map_state *lower_map(
+	struct lowering *, const struct node *, map_entry_reader *entry, bool is_average);
 /* A list behind an integer pattern: items of keyword `word`, then `filler` for missing ones. */
 const struct map_state *lower_list(struct lowering *, const struct node *pattern, unsigned count,
 	enum keyword word, map_entry_reader *entry, const void *filler);

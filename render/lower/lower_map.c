@@ -51,8 +51,19 @@ static struct map_state *map_create(struct lowering *l, size_t count)
 	return map;
 }
 
-static struct map_state *read_map(
-	struct lowering *l, const struct node *n, enum keyword word, map_entry_reader *entry_reader)
+/* Entries of an average without a weight have 1. */
+static float read_value(struct lowering *l, const struct node *entry, bool is_average)
+{
+	if (entry->arg_count > 0)
+		return (float)lower_float(l, entry, 0, "a value");
+	if (!is_average)
+		diag_error(
+			l->diag, entry->span, "a map entry needs a value before it: [value ...]");
+	return 1;
+}
+
+static struct map_state *read_map(struct lowering *l, const struct node *n, enum keyword word,
+	map_entry_reader *entry_reader, bool is_average)
 {
 	const size_t count = count_children(n, K_ENTRY);
 	if (n->keyword != word || count < 1 || count > ENTRIES_MAX) {
@@ -71,8 +82,7 @@ static struct map_state *read_map(
 	for (const struct node *entry = n->children; entry; entry = entry->next) {
 		if (entry->keyword != K_ENTRY)
 			continue;
-		map->values[i] =
-			entry->arg_count > 0 ? (float)lower_float(l, entry, 0, "a value") : 1;
+		map->values[i] = read_value(l, entry, is_average);
 		if (map->colours)
 			map->colours[i] = read_colour(l, entry);
 		else if (map->slopes)
@@ -85,16 +95,16 @@ static struct map_state *read_map(
 }
 
 const struct map_state *lower_map(
-	struct lowering *l, const struct node *n, map_entry_reader *entry_reader)
+	struct lowering *l, const struct node *n, map_entry_reader *entry_reader, bool is_average)
 {
 	const struct node *at = map_node(n);
 	if (!is_declared(n))
-		return read_map(l, at, n->keyword, entry_reader);
+		return read_map(l, at, n->keyword, entry_reader, is_average);
 	struct map_state *map = looks_find(l, at);
 	if (map)
 		return map;
 	struct arena *const before = lowering_keep(l);
-	map = read_map(l, at, n->keyword, entry_reader);
+	map = read_map(l, at, n->keyword, entry_reader, false);
 	l->states = before;
 	if (map)
 		looks_remember(l, at, map);

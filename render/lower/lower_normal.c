@@ -67,11 +67,11 @@ static void set_map(struct lowering *l, struct normal_state *s, const struct nod
 		diag_error(l->diag, item->word, "%s does not go with %s",
 			keyword_name(item->keyword), class->name);
 	else if (item->keyword == K_NORMAL_MAP)
-		s->map = lower_map(l, item, read_entry);
+		s->map = lower_map(l, item, read_entry, s->form == FORM_AVERAGE);
 	else if (s->form == FORM_AVERAGE)
 		diag_error(l->diag, item->word, "average takes a normal_map");
 	else
-		s->slopes = lower_map(l, item, NULL);
+		s->slopes = lower_map(l, item, NULL, false);
 }
 
 static void read_item(struct lowering *l, struct normal_state *s, const struct node *item)

@@ -45,7 +45,7 @@ static void read_item(struct lowering *l, struct patterned_state *s, const struc
 			diag_error(l->diag, item->word, "texture_map does not go with %s",
 				s->pattern.class->name);
 		else
-			s->map = lower_map(l, item, read_entry);
+			s->map = lower_map(l, item, read_entry, s->form == FORM_AVERAGE);
 		return;
 	case K_NO_BUMP_SCALE:
 		s->keeps_length = true;

@@ -64,7 +64,7 @@ static void set_map(struct lowering *l, struct pigment_state *s, const struct no
 			: is_list	      ? "its pattern has a list"
 					      : "average takes a pigment_map");
 	else
-		s->map = lower_map(l, item, colours ? NULL : read_entry);
+		s->map = lower_map(l, item, colours ? NULL : read_entry, s->form == FORM_AVERAGE);
 }
 
 static void name_reference(struct lowering *l, struct pigment_state *s, const struct node *item)
