@@ -30,7 +30,7 @@ double elementary_atan2(double y, double x);
 
 double elementary_sinh(double);	 /* 0.53 (0.5263) */
 double elementary_cosh(double);	 /* 0.507 (0.5060) */
-double elementary_tanh(double);	 /* 0.53 (0.5179) */
+double elementary_tanh(double);	 /* 0.53 (0.5181) */
 double elementary_asinh(double); /* the inverses 0.5005 (0.5000) */
 double elementary_acosh(double);
 double elementary_atanh(double);

@@ -202,6 +202,42 @@ static void agrees_with_long_double(void **unused)
 #undef NEAR
 }
 
+/* Any bits: numbers of all sizes, infinite ones and what is no number. */
+static double random_bits(uint64_t *state)
+{
+	const uint64_t high = (uint64_t)(random_unit(state) * 0x1p32);
+	const uint64_t bits = high << 32 | (uint64_t)(random_unit(state) * 0x1p32);
+	double x;
+	memcpy(&x, &bits, sizeof x);
+	return x;
+}
+
+static void compare_any(const char *name, double x, double y, double result, long double truth)
+{
+	if (isfinite((double)truth))
+		compare(name, x, y, result, truth);
+	else if (isnan(result) != isnan(truth) || (!isnan(truth) && result != (double)truth))
+		fail_msg("%s(%a, %a) is %a", name, x, y, result);
+}
+
+static void agrees_with_long_double_for_any_bits(void **unused)
+{
+	(void)unused;
+	if (LDBL_MANT_DIG < 64)
+		skip();
+	uint64_t state = 5;
+	for (int i = 0; i < 50000; i++) {
+		const double x = random_bits(&state), y = random_bits(&state);
+#define ANY(f) compare_any(#f, x, 0, elementary_##f(x), f##l((long double)x));
+		ONES(ANY)
+#undef ANY
+		compare_any(
+			"pow", x, y, elementary_pow(x, y), powl((long double)x, (long double)y));
+		compare_any("atan2", x, y, elementary_atan2(x, y),
+			atan2l((long double)x, (long double)y));
+	}
+}
+
 static void float_powers_agree_with_double(void **unused)
 {
 	(void)unused;
@@ -547,6 +583,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(agrees_with_table),
 		cmocka_unit_test(agrees_with_long_double),
+		cmocka_unit_test(agrees_with_long_double_for_any_bits),
 		cmocka_unit_test(float_powers_agree_with_double),
 		cmocka_unit_test(power_curves_agree_with_double),
 		cmocka_unit_test(exact_powers_are_exact),
