@@ -462,7 +462,7 @@ spline_entries:
 
 /* ---------------------------------------------------------------- functions */
 
-%type <function> function function_body;
+%type <function> function pattern_function function_body;
 %type <expr> fexpr for fand frel fsum fproduct fsigned foperand;
 %type <exprs> fargs;
 %type <start> parameters parameter_names;
@@ -470,12 +470,15 @@ spline_entries:
 %type <keyword> fcall_word fmember fvariable;
 
 function:
-	  KW_FUNCTION '{' { function_begin(p, args_height(p), false); } function_body '}'
-		{ $$ = $4; }
+	  pattern_function
 	| KW_FUNCTION parameters '{' { function_begin(p, $2, true); } function_body '}'
 		{ $$ = $5; }
 	;
-/* What stands behind `function` where a list of parameters cannot. */
+/* Of x, y and z (or u and v): where it stands it cannot choose its parameters. */
+pattern_function:
+	  KW_FUNCTION '{' { function_begin(p, args_height(p), false); } function_body '}'
+		{ $$ = $4; }
+	;
 parameters: '(' parameter_names ')' { $$ = $2; } ;
 parameter_names:
 	  parameter_name { $$ = args_push_string(p, $1, @1); }
@@ -684,10 +687,11 @@ object_statement:
 	| KW_HEIGHT_FIELD '{' image height_field_items '}'
 		{ $$ = node_block(p, $1, @$, @1, list_join(list_one($3), $4)); }
 	| KW_ISOSURFACE '{' T_OBJECT modifiers '}' { $$ = copy_node(p, $3, @3, @$, @1, $4); }
-	| KW_ISOSURFACE '{' function isosurface_items modifiers '}'
+	| KW_ISOSURFACE '{' pattern_function isosurface_items modifiers '}'
 		{ $$ = node_function(p, $1, @$, @1, $3, @3); $$->children = list_join($4, $5).first; }
 	| KW_PARAMETRIC '{' T_OBJECT modifiers '}' { $$ = copy_node(p, $3, @3, @$, @1, $4); }
-	| KW_PARAMETRIC '{' function oc function oc function oc two parametric_items modifiers '}'
+	| KW_PARAMETRIC '{' pattern_function oc pattern_function oc pattern_function oc two
+	  parametric_items modifiers '}'
 		{ $$ = parametric_node(p, @$, @1, (const struct function *[]){ $3, $5, $7 },
 			(span[]){ @3, @5, @7 }, $9, list_join($10, $11)); }
 	| KW_JULIA_FRACTAL '{' T_OBJECT modifiers '}' { $$ = copy_node(p, $3, @3, @$, @1, $4); }
@@ -1292,7 +1296,7 @@ pattern:
 		{ $$ = node_fit(p, $1, @$, @1, $4, "vf?f?");
 		  $$->children = list_join(list_one(node_new(p, $3, @3, @3)), $5).first; }
 	| KW_DENSITY_FILE KW_DF3 string { $$ = node_string(p, $1, @$, @1, $3.raw, @3); }
-	| function { $$ = node_function(p, K_FUNCTION, @$, @1, $1, @1); }
+	| pattern_function { $$ = node_function(p, K_FUNCTION, @$, @1, $1, @1); }
 	| KW_PIGMENT_PATTERN '{' pigment_body '}' { $$ = node_block(p, $1, @$, @1, $3); }
 	| KW_IMAGE_PATTERN '{' image bitmap_options '}'
 		{ $$ = node_block(p, $1, @$, @1, list_join(list_one($3), $4)); }

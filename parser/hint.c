@@ -174,6 +174,8 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 		parser_note(p, t->where, "strings are joined by concat(S, T)");
 	else if (token == '\'')
 		parser_note(p, t->where, "a string stands in double quotes");
+	else if (token == '^')
+		parser_note(p, t->where, "a power is written pow(a, b)");
 	else if (token == ';' && run->start_token == T_START_SCENE)
 		parser_note(p, t->where, "a ';' ends directives only, such as #declare");
 	else if (is_directive(word))

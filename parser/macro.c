@@ -29,6 +29,10 @@ static bool read_parameters(struct parser *p, struct macro *m)
 		}
 		if (!raw_name(p, "a parameter or ')'", &ids[m->parameter_count], &where))
 			return false;
+		if (ids[m->parameter_count] == m->name) {
+			parser_error(p, where, "a parameter cannot have the name of its macro");
+			return false;
+		}
 		m->parameter_count++;
 		raw_accept(p, ',');
 	}

@@ -180,7 +180,7 @@ static void settle(struct parser *p)
 		parser_change_state(p)->noise_generator = p->state->version >= 350 ? 2 : 1;
 	if (p->state->version < 350) {
 		diag_warning(p->diag, NO_SPAN,
-			"the scene ends as one of version %.2g: what were mistakes of the versions "
+			"the scene ends as one of version %g: what were mistakes of the versions "
 			"before 3.5 is not repeated",
 			p->state->version / 100.0);
 		parser_change_state(p)->version = 350;

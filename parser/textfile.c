@@ -11,6 +11,7 @@
 #include <errno.h>
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 
 struct scene_file {
 	const char *path;
@@ -28,7 +29,12 @@ static bool open_to_read(struct parser *p, struct scene_file *f, span where)
 	bool courtesy;
 	const char *path = file_find(p->options, f->path, NULL, &courtesy, p->arena);
 	if (!path) {
-		parser_error(p, where, "file '%s' to read not found", f->path);
+		struct stat info;
+		const bool is_folder = !stat(f->path, &info) && S_ISDIR(info.st_mode);
+		parser_error(p, where,
+			is_folder ? "'%s' is a folder: a file to read is wanted"
+				  : "file '%s' to read not found",
+			f->path);
 		return false;
 	}
 	if (courtesy)
@@ -151,6 +157,10 @@ static struct symbol *read_handle(struct parser *p, bool to_read)
 	if (token != T_FILE) {
 		parser_error(
 			p, where, "expected an open file, found %s", token_describe(p, token, &v));
+		if (token == T_UNDECLARED && to_read)
+			parser_note(p, where,
+				"#read closes a file at its end: read on while defined(%s)",
+				v.name);
 		return NULL;
 	}
 	const struct scene_file *f = v.symbol->slot->file;

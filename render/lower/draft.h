@@ -89,6 +89,8 @@ void drafts_transform(struct lowering *, struct draft *, const struct step *);
 /* lower_modifiers.c: the items of an object statement that are not objects. */
 void draft_modify(struct lowering *, struct draft *, const struct node *item);
 void draft_invert(struct lowering *, struct draft *);
+/* Whether it has no inside, or a part without one. */
+bool draft_is_patch(const struct draft *);
 /* Whether the item is a flag word of the draft's shape. */
 bool draft_takes_flag(const struct draft *, const struct node *item);
 

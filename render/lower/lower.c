@@ -35,9 +35,11 @@ static void statement(struct lowering *l, const struct node *n)
 		lower_global_settings(l, n);
 		break;
 	case K_MAX_TRACE_LEVEL:
-	case K_MAX_INTERSECTIONS:
-		diag_warning(l->diag, n->word, "%s belongs into global_settings",
+		diag_warning(l->diag, n->word, "%s belongs in global_settings",
 			keyword_name(n->keyword));
+		lower_setting(l, n);
+		break;
+	case K_MAX_INTERSECTIONS:
 		lower_setting(l, n);
 		break;
 	case K_BACKGROUND:

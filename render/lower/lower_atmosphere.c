@@ -220,7 +220,8 @@ static void interior_item(struct lowering *l, const struct node *item, struct dr
 		i->data.dispersion_samples = lower_int(l, item, 0, "a number");
 		break;
 	case K_REFRACTION:
-		break; /* obsolete, without effect */
+		diag_warning(l->diag, item->word, "refraction has no effect: ior is enough");
+		break;
 	default:
 		lower_unsupported(l, item, keyword_name(item->keyword));
 	}

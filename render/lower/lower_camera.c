@@ -16,6 +16,7 @@ struct camera_items {
 	bool has_right, has_up, has_angle, has_look_at;
 	double angle;
 	transform place;
+	bool is_unsupported; /* of a type that is refused, which may see further */
 };
 
 static const struct camera_items camera_defaults = {
@@ -80,7 +81,7 @@ static void read_angle(struct lowering *l, const struct node *n, struct camera_i
 	c->has_angle = true;
 	if (c->angle < 0)
 		diag_error(l->diag, n->span, "camera: the angle is negative");
-	else if (c->angle >= 180)
+	else if (c->angle >= 180 && !c->is_unsupported)
 		diag_error(l->diag, n->span, "camera: the angle must be below 180 degrees");
 }
 
@@ -153,6 +154,7 @@ static void other_item(struct lowering *l, const struct node *item, struct camer
 	case K_BOKEH:
 		return; /* see check_blur */
 	default:
+		c->is_unsupported = true;
 		lower_unsupported(l, item, keyword_name(item->keyword));
 	}
 }

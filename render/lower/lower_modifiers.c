@@ -46,13 +46,22 @@ static void add_material(struct lowering *l, struct draft *d, const struct node 
 
 /* ---- clipped_by, bounded_by ---- */
 
+bool draft_is_patch(const struct draft *d)
+{
+	if (d->kind == DRAFT_LIGHT || (d->kind == DRAFT_SHAPE && d->shape->is_patch))
+		return true;
+	for (const struct draft *child = d->children; child; child = child->next)
+		if (draft_is_patch(child))
+			return true;
+	return d->kind == DRAFT_GROUP;
+}
+
 static void check_cutter(struct lowering *l, const struct node *item, const struct draft *d)
 {
 	if (d->texture)
 		diag_error(l->diag, item->span,
 			"an object in clipped_by or bounded_by cannot have a texture");
-	if (d->kind == DRAFT_LIGHT || d->kind == DRAFT_GROUP ||
-		(d->kind == DRAFT_SHAPE && d->shape->is_patch))
+	if (draft_is_patch(d))
 		diag_error(l->diag, item->span,
 			"an object in clipped_by or bounded_by must be solid: this one has no "
 			"inside");

@@ -309,6 +309,16 @@ static void read_modifiers(struct lowering *l, const struct node *n, struct draf
 	}
 }
 
+static void warn_of_patches(struct lowering *l, const struct draft *d)
+{
+	for (const struct draft *child = d->children; child; child = child->next)
+		if (draft_is_patch(child))
+			diag_warning(l->diag, child->node->word,
+				"%s has no inside, or a part without one: its place is in a union, "
+				"not in %s",
+				keyword_name(child->node->keyword), keyword_name(d->node->keyword));
+}
+
 static struct draft *draft_csg(struct lowering *l, const struct node *n)
 {
 	struct draft *d = draft_create(l, DRAFT_CSG, n);
@@ -318,6 +328,8 @@ static struct draft *draft_csg(struct lowering *l, const struct node *n)
 								      : CSG_INTERSECTION;
 	warn_of_few_members(l, n);
 	read_children(l, n, d);
+	if (d->csg == CSG_INTERSECTION)
+		warn_of_patches(l, d);
 	extent_begin(l, d);
 	read_modifiers(l, n, d);
 	return d;

@@ -57,14 +57,16 @@ static void set_map(struct lowering *l, struct pigment_state *s, const struct no
 {
 	const bool colours = item->keyword == K_COLOR_MAP;
 	const bool is_list = s->form == FORM_PATTERN && s->pattern.class->list_count > 0;
-	if (s->form == FORM_PLAIN || is_list || (colours && s->form == FORM_AVERAGE))
+	if (s->form == FORM_PLAIN || is_list || (colours && s->form == FORM_AVERAGE)) {
 		diag_error(l->diag, item->word, "%s does not go with this pigment: %s",
 			keyword_name(item->keyword),
 			s->form == FORM_PLAIN ? "it is a plain colour"
 			: is_list	      ? "its pattern has a list"
 					      : "average takes a pigment_map");
-	else
+		s->form = FORM_REFUSED;
+	} else {
 		s->map = lower_map(l, item, colours ? NULL : read_entry, s->form == FORM_AVERAGE);
+	}
 }
 
 static void name_reference(struct lowering *l, struct pigment_state *s, const struct node *item)

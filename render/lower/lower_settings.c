@@ -27,13 +27,21 @@ static bool is_read_elsewhere(enum keyword k)
 	case K_ASSUMED_GAMMA:	/* the parser: it decides what srgb colours are */
 	case K_NOISE_GENERATOR: /* the parser, for the language state */
 	case K_CHARSET:
-	case K_MAX_INTERSECTIONS:
 	case K_MM_PER_UNIT: /* of subsurface */
 	case K_SUBSURFACE:  /* refused in the finish that uses it */
 		return true;
 	default:
 		return false;
 	}
+}
+
+static void set_wave_count(struct lowering *l, const struct node *item)
+{
+	l->wave_count = lower_float(l, item, 0, "a number");
+	if (l->wave_count >= 1)
+		return;
+	diag_warning(l->diag, item->span, "number_of_waves must be at least 1: 1 is used");
+	l->wave_count = 1;
 }
 
 void lower_setting(struct lowering *l, const struct node *item)
@@ -56,8 +64,12 @@ void lower_setting(struct lowering *l, const struct node *item)
 		diag_warning(l->diag, item->word,
 			"hf_gray_16 has no effect: ask for grayscale output instead");
 		break;
+	case K_MAX_INTERSECTIONS:
+		if (item->state->version >= 370)
+			diag_warning(l->diag, item->word, "max_intersections has no effect");
+		break;
 	case K_NUMBER_OF_WAVES:
-		l->wave_count = lower_float(l, item, 0, "a number");
+		set_wave_count(l, item);
 		break;
 	case K_RADIOSITY:
 		if (s->quality >= 9)

@@ -1,0 +1,20 @@
+// Errors in expressions and directives, one after the other.
+#version 3.7;
+#declare A = sqrt(-1);
+#declare B = ln(0);
+#declare C = log(-1);
+#declare D = pow(0, 0);
+#declare E = atan2(0, 0);
+#declare F = rand(5);
+#declare G = substr("abc", 2, 5);
+#declare H = chr(70000);
+#declare I = datetime(now, "");
+#declare J = 3.red;
+#declare K = array[2];
+#declare K[0] = 1;
+#declare K[1] = "text";
+#declare L = <1, 2> + "text";
+#declare M = max();
+#declare N = vlength("text");
+#declare O = strlen(5);
+#declare P = (1 > 2 ? 3);
