@@ -226,7 +226,7 @@ static void print_node(struct printer *j, const struct node *node, unsigned dept
 {
 	fprintf(j->out, "{\"%s\": ", node->keyword == K_REFERENCE ? "reference" : "node");
 	json_print_string(j->out, node->keyword == K_REFERENCE ? (node->name ? node->name : "")
-						     : keyword_name(node->keyword));
+							       : keyword_name(node->keyword));
 	print_place(j, node->span);
 	if (node->arg_count)
 		print_args(j, node, depth);

@@ -484,9 +484,9 @@ bool expect(struct parser *p, int token, const char *what)
 	const int found = expand_next(p, &v, &where);
 	if (found == token && !p->failed)
 		return true;
-	if (found == T_UNDECLARED)
+	if (found == T_UNDECLARED && token != '(')
 		parser_error_undeclared(p, where, v.name, is_declared, NULL);
-	if (token == ')' || token == ';')
+	if (token == ')' || token == '(' || token == ';')
 		where = raw_gap_before(p, where);
 	parser_error(p, where, "expected %s, found %s", what, token_describe(p, found, &v));
 	return false;
@@ -552,7 +552,6 @@ struct expand *expand_create(struct parser *p)
 
 void expand_destroy(struct expand *x)
 {
-	files_finish(x);
 	for (struct source *s = x->sources; s; s = s->previous)
 		source_finish(s);
 	names_finish(&x->names);

@@ -304,6 +304,7 @@ bool file_open(struct parser *, span);
 bool file_close(struct parser *, span);
 bool file_read(struct parser *, span);
 bool file_write(struct parser *, span);
-void files_finish(struct expand *);
+/* At the end of the scene: closes what is open; false after an error. */
+bool files_finish(struct parser *);
 
 #endif

@@ -172,7 +172,7 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 		parser_note(p, t->where, "a string can only be compared here: (S = \"x\")");
 	else if (token == '+' && before == T_STRING)
 		parser_note(p, t->where, "strings are joined by concat(S, T)");
-	else if (token == '\'')
+	else if (token == '\'' || (token == '<' && run->start_token == T_START_STRING && !before))
 		parser_note(p, t->where, "a string stands in double quotes");
 	else if (token == '^')
 		parser_note(p, t->where, "a power is written pow(a, b)");

@@ -26,7 +26,9 @@ static bool report_missing(struct parser *p, const char *name, span where)
 {
 	struct stat info;
 	const char *nearest;
-	if (!stat(name, &info) && S_ISDIR(info.st_mode))
+	if (!*name)
+		parser_stop(p, where, "the name of the include file is empty");
+	else if (!stat(name, &info) && S_ISDIR(info.st_mode))
 		parser_stop(p, where, "'%s' is a folder: an include file is wanted", name);
 	else if (name[0] == '/')
 		parser_stop(p, where, "include file '%s' not found", name);

@@ -205,8 +205,8 @@ static const struct ast *parse(struct parser *p, const char *path, const char *t
 	const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
 	const locale_t before = plain ? uselocale(plain) : (locale_t)0;
 	const struct node *statements = NULL;
-	const bool ok =
-		begin(p, path, text, size) && parse_statements(p, &statements) && !p->failed;
+	const bool read = begin(p, path, text, size) && parse_statements(p, &statements);
+	const bool ok = files_finish(p) && read && !p->failed;
 	if (plain) {
 		uselocale(before);
 		freelocale(plain);

@@ -120,7 +120,9 @@ static void report_name(
 	else
 		parser_error_undeclared(
 			p, t->where, t->value.name, in_block ? name_fits_in_block : name_fits, w);
-	if (assigned)
+	if (!run->token_before && run->start_token == T_START_STRING)
+		parser_note(p, t->where, "a string stands in double quotes");
+	else if (assigned)
 		parser_note(p, t->where,
 			"a name is given a value by #declare or #local: #declare %s = 1;",
 			t->value.name);
@@ -161,6 +163,8 @@ static const char *start_words(int start_token)
 		return "a float";
 	case T_START_CONDITION:
 		return "a condition";
+	case T_START_NUMBER:
+		return "a number or a vector";
 	default:
 		return NULL;
 	}
@@ -359,12 +363,24 @@ static const char *expected_words(
 	return string ? "a string" : NULL;
 }
 
+/* The directive whose first token stands at a place; NULL: there is none. */
+static const char *directive_before(struct parser *p, span where)
+{
+	const struct raw_token *raw = raw_before(p, where, 1);
+	const struct source *s = source_at(p->expand, where);
+	return raw && raw->kind == RAW_DIRECTIVE ? keyword_name(s->directives[raw->payload].keyword)
+						 : NULL;
+}
+
 /* Where it stands: behind which word or operator, in which statement. */
 static const char *context_words(
 	struct parser *p, const struct run *run, const struct opening *open)
 {
 	const char *in = "";
 	const int before = run->token_before;
+	const char *directive = before ? NULL : directive_before(p, run->last->where);
+	if (directive)
+		return arena_printf(p->arena, " behind #%s", directive);
 	const bool behind_operator = before > ' ' && before < 127 && strchr("+-*/=<>&|?:", before);
 	if (open && open->keyword != K_NONE)
 		in = arena_printf(p->arena, " in %s", keyword_name(open->keyword));
@@ -382,11 +398,14 @@ static void report_unexpected(
 	const char *expected = expected_words(run, open, w);
 	const char *found = t->token == 0 ? "end of the text" : found_words(p, run, t);
 	const bool in_vector = wanted_token(w, '>') && !wanted_token(w, T_GE);
+	const span where = run->token_before || run->start_token == T_START_SCENE
+				   ? t->where
+				   : raw_gap_before(p, t->where);
 	if (t->token == '}' && run->token_before == '{' && open && open->keyword != K_NONE)
 		parser_error(p, t->where, "%s is empty%s%s", keyword_name(open->keyword),
 			expected ? ": expected " : "", expected ? expected : "");
 	else
-		parser_error(p, t->where, "unexpected %s%s%s%s", found, context_words(p, run, open),
+		parser_error(p, where, "unexpected %s%s%s%s", found, context_words(p, run, open),
 			expected ? ": expected " : "", expected ? expected : "");
 	if (in_vector && ends_operand(run->token_before))
 		note_operator(p, t->token, t->where);

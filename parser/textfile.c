@@ -15,6 +15,7 @@
 
 struct scene_file {
 	const char *path;
+	span opened;
 	FILE *out;	   /* open for writing */
 	struct source *in; /* open for reading */
 	uint32_t position; /* the next token of `in` */
@@ -83,6 +84,13 @@ static bool open_as(struct parser *p, struct scene_file *f, span where)
 	return false;
 }
 
+static bool is_named(struct parser *p, const struct scene_file *f, span where)
+{
+	if (!*f->path)
+		parser_error(p, where, "the name of the file is empty");
+	return *f->path;
+}
+
 bool file_open(struct parser *p, span where)
 {
 	struct symbols *s = &p->expand->symbols;
@@ -97,8 +105,10 @@ bool file_open(struct parser *p, span where)
 		return false;
 	}
 	struct scene_file *f = ARENA_NEW(p->arena, struct scene_file);
+	f->opened = where;
 	gate_open(p, &gate, true);
-	const bool ok = parse_string(p, &f->path, true) && open_as(p, f, where);
+	const bool ok =
+		parse_string(p, &f->path, true) && is_named(p, f, where) && open_as(p, f, where);
 	gate_close(p);
 	if (!ok)
 		return false;
@@ -110,20 +120,25 @@ bool file_open(struct parser *p, span where)
 	return true;
 }
 
+static bool finish_output(struct parser *p, struct scene_file *f, span where)
+{
+	if (!f->out)
+		return true;
+	const bool failed = ferror(f->out);
+	const bool ok = !fclose(f->out) && !failed;
+	f->out = NULL;
+	if (!ok)
+		parser_error(p, where, "cannot write %s: %s", f->path, strerror(errno));
+	return ok;
+}
+
 static bool close_file(struct parser *p, struct symbol *symbol, span where)
 {
 	struct scene_file *f = symbol->slot->file;
-	bool ok = true;
-	if (f->out) {
-		const bool failed = ferror(f->out);
-		ok = !fclose(f->out) && !failed;
-		f->out = NULL;
-	}
+	const bool ok = finish_output(p, f, where);
 	f->in = NULL;
 	symbol->slot->kind = VALUE_NONE;
 	symbol_remove(&p->expand->symbols, symbol);
-	if (!ok)
-		parser_error(p, where, "cannot write %s: %s", f->path, strerror(errno));
 	return ok;
 }
 
@@ -139,11 +154,12 @@ bool file_close(struct parser *p, span where)
 	return close_file(p, symbol, where);
 }
 
-void files_finish(struct expand *x)
+bool files_finish(struct parser *p)
 {
-	for (struct scene_file *f = x->files; f; f = f->previous)
-		if (f->out)
-			fclose(f->out);
+	bool ok = true;
+	for (struct scene_file *f = p->expand->files; f; f = f->previous)
+		ok = finish_output(p, f, f->opened) && ok;
+	return ok;
 }
 
 /* The handle behind the bracket of #read and #write. */

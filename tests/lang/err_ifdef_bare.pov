@@ -1,0 +1,3 @@
+// A condition without parentheses.
+#ifdef A
+#end

@@ -1,0 +1,2 @@
+// As in C.
+#include <colors.inc>
