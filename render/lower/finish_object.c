@@ -356,7 +356,8 @@ static bool has_light(const struct draft *d)
 static void warn_of_bounds(
 	struct lowering *l, const struct draft *d, const struct object_list *bounded)
 {
-	if (d->bounds && !l->for_questions && !box_is_unbounded(hull_of(bounded)))
+	if (d->bounds && !d->bounds_are_clips && !l->for_questions &&
+		!box_is_unbounded(hull_of(bounded)))
 		diag_warning(l->diag, d->bounds->node->span,
 			"bounded_by is not needed: each finite object has its own bounds");
 }

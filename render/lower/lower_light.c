@@ -111,8 +111,6 @@ static bool read_word(struct lowering *l, const struct node *item, struct light 
 		light->circular = true;
 		return true;
 	case K_ORIENT:
-		if (!light->circular)
-			diag_warning(l->diag, item->word, "orient makes an area_light circular");
 		light->orient = light->circular = true;
 		return true;
 	case K_AREA_ILLUMINATION:
@@ -164,6 +162,8 @@ static void read_attached(struct lowering *l, const struct node *item, struct dr
 static void check_area(struct lowering *l, const struct node *n, const struct light *light)
 {
 	const bool has_area = light->area_count_u > 0;
+	if (light->orient && !node_child(n, K_CIRCULAR))
+		diag_warning(l->diag, n->word, "orient makes an area_light circular");
 	if (light->circular && (light->area_count_u < 2 || light->area_count_v < 2))
 		diag_error(l->diag, n->span,
 			"a circular area_light needs at least 2 lights along each axis");

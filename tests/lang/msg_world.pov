@@ -10,6 +10,7 @@ light_source { 0, 1 point_at 5 }
 light_source { 0, 1 area_light x, y, 0, 2 }
 light_source { 0, 1 circular }
 light_source { 0, 1 orient area_light x, y, 3, 3 }
+light_source { 0, 1 area_illumination on orient circular area_light x, y, 2, 2 }
 light_source { 0, 1 area_illumination on }
 light_source { 0, rgbf 1 }
 fog { distance 1 rgb 1 fog_type 5 }
