@@ -3,7 +3,7 @@
  * Signals that ask for an end. While a scene is read nothing needs cleaning up
  * and nothing looks at a flag, so the program ends at once; while a picture is
  * made the handler only sets the flag that the progress callback looks at, which
- * may take as long as one block of the picture. Who asks twice does not want to
+ * may take as long as one row of a block of the picture. Who asks twice does not want to
  * wait for that.
  */
 #include "interrupt.h"

@@ -288,10 +288,13 @@ struct node *map_entry(struct parser *, span whole, size_t start, struct node_li
 /* -- text.c ------------------------------------------------------------------------------- */
 
 struct text_value text_both(const char *);
-struct text_value text_concat(struct parser *, struct text_value, struct text_value);
+/* The arguments of a concat, and what they make. */
+struct texts *texts_new(struct parser *);
+struct texts *texts_add(struct parser *, struct texts *, struct text_value);
+struct text_value text_concat(struct parser *, const struct texts *, span);
 const char *text_str(struct parser *, double, double length, double precision);
 const char *text_vstr(struct parser *, double n, struct number, const char *between, double length,
-	double precision);
+	double precision, span);
 const char *text_chr(struct parser *, double, span);
 const char *text_substr(struct parser *, const char *, double first, double count, span);
 const char *text_case(struct parser *, const char *, bool upper, span);

@@ -38,6 +38,7 @@
 	struct number number;
 	struct number_value named;
 	struct text_value text;
+	struct texts *texts;
 	struct reference ref;
 	const struct function *function;
 	struct callee callee;
@@ -141,10 +142,10 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 
 %type <number> sum product signed component operand full logic relation
 %type <token> relop
-%type <keyword> selector float_function list_function extent_function axis
+%type <keyword> selector float_function list_function comma_function extent_function axis
 %type <keyword> rgb_word part_word
 %type <real> float
-%type <start> one two three four sums entry_values
+%type <start> one two three four sums comma_sums entry_values
 %type <text> string string_function
 %type <colour> colour marked_colour worded_colour bare_colour colour_items colour_words
 %type <number> rgb rgb_or_black five
@@ -200,6 +201,7 @@ operand:
 	| '(' full ')' { $$ = $2; }
 	| float_function '(' full ')' { $$ = builtin_float(p, $1, $3, @$); }
 	| list_function '(' sums ')' { $$ = builtin_list(p, $1, $3, @$); }
+	| comma_function '(' comma_sums ')' { $$ = builtin_list(p, $1, $3, @$); }
 	| KW_VTURBULENCE '(' sums ')' { $$ = builtin_list(p, $1, $3, @$); }
 	| KW_VTURBULENCE '(' sums ',' ')' { $$ = builtin_list(p, $1, $3, @$); }
 	| extent_function '(' T_OBJECT ')' { $$ = builtin_extent(p, $1, $3, @$); }
@@ -234,10 +236,11 @@ float_function:
 	| KW_RAND | KW_SEED | KW_SIN | KW_SINH | KW_SQRT | KW_TAN | KW_TANH
 	;
 list_function:
-	  KW_ATAN2 | KW_DIV | KW_MOD | KW_POW | KW_MAX | KW_MIN | KW_SELECT
-	| KW_BITWISE_AND | KW_BITWISE_OR | KW_BITWISE_XOR
+	  KW_ATAN2 | KW_DIV | KW_MOD | KW_POW | KW_SELECT
 	| KW_VDOT | KW_VLENGTH | KW_VCROSS | KW_VNORMALIZE | KW_VROTATE | KW_VAXIS_ROTATE
 	;
+/* Of any number of arguments. */
+comma_function: KW_MAX | KW_MIN | KW_BITWISE_AND | KW_BITWISE_OR | KW_BITWISE_XOR ;
 extent_function: KW_MIN_EXTENT | KW_MAX_EXTENT ;
 identifier:
 	  T_NUMBER | T_VECTOR | T_COLOUR | T_STRING | T_OBJECT | T_TEXTURE | T_PIGMENT | T_NORMAL
@@ -260,6 +263,10 @@ sums:
 	  sum %prec ENDS { $$ = args_push_number(p, $1, @1); }
 	| sums sum %prec ENDS { args_push_number(p, $2, @2); $$ = $1; }
 	| sums ',' sum %prec ENDS { args_push_number(p, $3, @3); $$ = $1; }
+	;
+comma_sums:
+	  sum { $$ = args_push_number(p, $1, @1); }
+	| comma_sums ',' sum { args_push_number(p, $3, @3); $$ = $1; }
 	;
 float: sum %prec ENDS { $$ = number_to_float(p, $1, @1); } ;
 
@@ -292,10 +299,10 @@ string:
 	| string_function
 	;
 string_function:
-	  KW_CONCAT '(' concat_list ')' { $$ = $3; }
+	  KW_CONCAT '(' concat_list ')' { $$ = text_concat(p, $3, @$); }
 	| KW_STR '(' float oc float oc float ')' { $$ = text_both(text_str(p, $3, $5, $7)); }
 	| KW_VSTR '(' float oc sum oc string oc float oc float ')'
-		{ $$ = text_both(text_vstr(p, $3, $5, $7.text, $9, $11)); }
+		{ $$ = text_both(text_vstr(p, $3, $5, $7.text, $9, $11, @$)); }
 	| KW_CHR '(' full ')'
 		{ $$ = text_both(text_chr(p, number_to_float(p, $3, @3), @$)); }
 	| KW_SUBSTR '(' string oc float oc float ')'
@@ -306,10 +313,10 @@ string_function:
 	| KW_DATETIME '(' float oc string ')'
 		{ $$ = text_both(text_datetime(p, $3, $5.text, @$)); }
 	;
-%type <text> concat_list;
+%type <texts> concat_list;
 concat_list:
-	  string { $$ = text_both($1.text); }
-	| concat_list oc string { $$ = text_concat(p, $1, $3); }
+	  string { $$ = texts_add(p, texts_new(p), $1); }
+	| concat_list oc string { $$ = texts_add(p, $1, $3); }
 	;
 
 /* ---------------------------------------------------------------- colours */

@@ -73,6 +73,7 @@ struct parser {
 	 * the end of the parse. */
 	uint32_t *seeds;
 	size_t seed_count;
+	size_t joined_bytes; /* of all strings that concat made */
 
 	struct grammar *grammar;
 

@@ -117,20 +117,78 @@ struct text_value text_both(const char *text)
 	return (struct text_value){ text, text };
 }
 
-static const char *join(struct parser *p, const char *a, const char *b)
+/* Of one string, and of all that concat makes: far beyond any use of them. */
+#define STRING_BYTES 100000000
+#define JOINED_BYTES 4000000000
+
+struct texts {
+	size_t count, room;
+	struct text_value *items;
+};
+
+struct texts *texts_new(struct parser *p)
 {
-	const size_t la = strlen(a), lb = strlen(b);
-	char *out = arena_alloc(p->arena, la + lb + 1);
-	memcpy(out, a, la);
-	memcpy(out + la, b, lb);
+	return ARENA_NEW(p->arena, struct texts);
+}
+
+struct texts *texts_add(struct parser *p, struct texts *t, struct text_value text)
+{
+	if (t->count == t->room) {
+		t->room = t->room ? 2 * t->room : 4;
+		struct text_value *items = ARENA_ARRAY(p->arena, t->room, struct text_value);
+		if (t->count)
+			memcpy(items, t->items, t->count * sizeof *items);
+		t->items = items;
+	}
+	t->items[t->count++] = text;
+	return t;
+}
+
+static const char *part(const struct texts *t, size_t i, bool raw)
+{
+	return raw ? t->items[i].raw : t->items[i].text;
+}
+
+/* Whether there is room for a string of that length; a string that is doubled in an endless loop must
+ * end with a message. */
+static bool has_room(struct parser *p, size_t length, span where)
+{
+	p->joined_bytes += length;
+	if (length > STRING_BYTES)
+		parser_stop(
+			p, where, "a string of %zu bytes: %d are the limit", length, STRING_BYTES);
+	else if (p->joined_bytes > JOINED_BYTES)
+		parser_stop(p, where, "the strings made by concat take more than %zu bytes",
+			(size_t)JOINED_BYTES);
+	else
+		return true;
+	return false;
+}
+
+static const char *join(struct parser *p, const struct texts *t, bool raw, span where)
+{
+	size_t length = 0;
+	for (size_t i = 0; i < t->count; i++)
+		length += strlen(part(t, i, raw));
+	if (!has_room(p, length, where))
+		return "";
+	char *const out = arena_alloc(p->arena, length + 1);
+	char *end = out;
+	for (size_t i = 0; i < t->count; i++) {
+		const size_t size = strlen(part(t, i, raw));
+		memcpy(end, part(t, i, raw), size);
+		end += size;
+	}
 	return out;
 }
 
-struct text_value text_concat(struct parser *p, struct text_value a, struct text_value b)
+struct text_value text_concat(struct parser *p, const struct texts *t, span where)
 {
-	const char *text = join(p, a.text, b.text);
-	const bool same = a.text == a.raw && b.text == b.raw;
-	return (struct text_value){ text, same ? text : join(p, a.raw, b.raw) };
+	bool same = true;
+	for (size_t i = 0; i < t->count && same; i++)
+		same = t->items[i].text == t->items[i].raw;
+	const char *text = join(p, t, false, where);
+	return (struct text_value){ text, same ? text : join(p, t, true, where) };
 }
 
 enum {
@@ -163,18 +221,18 @@ const char *text_str(struct parser *p, double value, double length, double preci
 }
 
 const char *text_vstr(struct parser *p, double count, struct number value, const char *between,
-	double length, double precision)
+	double length, double precision, span where)
 {
 	int n = number_truncate(count);
 	n = n < 2 ? 2 : n > 5 ? 5 : n;
-	const char *out = "";
+	struct texts *out = texts_new(p);
 	for (int i = 0; i < n; i++) {
 		const double v = i < value.terms || value.leftover ? value.v[i] : 0;
 		if (i)
-			out = join(p, out, between);
-		out = join(p, out, format_float(p, v, length, precision, false));
+			texts_add(p, out, text_both(between));
+		texts_add(p, out, text_both(format_float(p, v, length, precision, false)));
 	}
-	return out;
+	return join(p, out, false, where);
 }
 
 const char *text_chr(struct parser *p, double value, span where)

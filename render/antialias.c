@@ -99,11 +99,16 @@ static colour divide(colour c, float by)
 	return (colour){ c.r / by, c.g / by, c.b / by, c.filter / by, c.transmit / by };
 }
 
-/* ---- no antialiasing ---- */
+/* ---- blocks row by row ---- */
+
+static bool is_cancelled(const struct sampler *s)
+{
+	return s->cancelled && s->cancelled(s->cancelled_user);
+}
 
 static void block_plain(struct sampler *s, struct film *film, struct block b)
 {
-	for (unsigned y = b.top; y < b.bottom; y++) {
+	for (unsigned y = b.top; y < b.bottom && !is_cancelled(s); y++) {
 		for (unsigned x = b.left; x < b.right; x++)
 			film->pixels[(size_t)y * film->width + x] = s->source(s->user, x, y);
 	}
@@ -153,11 +158,6 @@ static void draw_border(struct sampler *s, struct block b, size_t stride)
 		*border = draw(s, (double)b.left - 1, y);
 		border->fine = true;
 	}
-}
-
-static bool is_cancelled(const struct sampler *s)
-{
-	return s->cancelled && s->cancelled(s->cancelled_user);
 }
 
 static void block_flat(struct sampler *s, struct film *film, struct block b)
