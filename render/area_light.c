@@ -8,6 +8,8 @@
  */
 #include "render/shading.h"
 
+#include <string.h>
+
 /* Corners that differ by more than this are looked at more closely. */
 #define CONTRAST 0.1f
 
@@ -63,13 +65,13 @@ static rgb grid_point(const struct grid *g, int u, int v)
 	struct worker *w = g->worker;
 	const struct light *light = g->light;
 	struct grid_sample *memo = &w->grid[(size_t)v * (size_t)light->area_count_u + (size_t)u];
-	if (!memo->known) {
+	if (memo->round != w->grid_round) {
 		const vec3 centre = area_light_point(w, light, &g->axes, u, v);
 		vec3 direction;
 		const double distance =
 			light_direction(light, centre, g->at->surface.point, &direction);
 		memo->colour = shadow_filter(w, light, g->at, direction, distance, g->colour);
-		memo->known = true;
+		memo->round = w->grid_round;
 	}
 	return memo->colour;
 }
@@ -97,16 +99,26 @@ static rgb grid_mean(const struct grid *g, int u1, int v1, int u2, int v2, int l
 	return rgb_scale(rgb_add(rgb_add(rgb_add(c00, c10), c01), c11), 0.25);
 }
 
+/* Forgets what is known of other points: all samples are of an older round. */
+static void grid_begin(struct worker *w, size_t count)
+{
+	const bool grows = w->grid_room < count;
+	if (grows) {
+		w->grid_room = count;
+		w->grid = memory_grow(w->grid, count, sizeof *w->grid);
+	}
+	if (grows || w->grid_round == UINT32_MAX) {
+		memset(w->grid, 0, w->grid_room * sizeof *w->grid);
+		w->grid_round = 0;
+	}
+	w->grid_round++;
+}
+
 rgb area_light_filter(struct worker *w, const struct light *light, const struct point *at,
 	vec3 direction, rgb arriving)
 {
 	const struct grid g = { w, light, at, area_light_axes(light, direction), arriving };
 	const size_t count = (size_t)light->area_count_u * (size_t)light->area_count_v;
-	if (w->grid_room < count) {
-		w->grid_room = count;
-		w->grid = memory_grow(w->grid, count, sizeof *w->grid);
-	}
-	for (size_t i = 0; i < count; i++)
-		w->grid[i].known = false;
+	grid_begin(w, count);
 	return grid_mean(&g, 0, 0, light->area_count_u - 1, light->area_count_v - 1, 0);
 }

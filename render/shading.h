@@ -89,7 +89,7 @@ struct passage {
 /* A point of an area light, once it has been asked. */
 struct grid_sample {
 	rgb colour;
-	bool known;
+	uint32_t round; /* it was found in; another one: not known */
 };
 
 /* Levels of the ray tree whose shadows are remembered apart: neighbouring camera rays are alike, and
@@ -118,6 +118,7 @@ struct worker {
 
 	struct grid_sample *grid; /* of the area light being asked */
 	size_t grid_room;
+	uint32_t grid_round;
 
 	uint64_t sample_key; /* names the sample for random numbers */
 	uint64_t draws;	     /* made for this sample */
