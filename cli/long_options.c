@@ -163,6 +163,15 @@ static bool apply_allow_write(struct options *o, const char *value)
 	return true;
 }
 
+static bool apply_loop_limit(struct options *o, const char *value)
+{
+	char *end;
+	o->loop_limit = strtod(value, &end);
+	if (end == value || *end || !(o->loop_limit >= 0))
+		return option_error(o, "--loop-limit takes a number of tokens, not \"%s\"", value);
+	return true;
+}
+
 /* A number, or a text without quotes of its own: the shell has taken them. */
 static bool apply_declare(struct options *o, const char *value)
 {
@@ -193,6 +202,7 @@ static const struct long_option long_options[] = {
 	{ "jitter",           TAKES_VALUE,    NULL,                apply_jitter },
 	{ "json",             TAKES_NOTHING,  NULL,                apply_json },
 	{ "language-version", TAKES_VALUE,    "Version",           NULL },
+	{ "loop-limit",       TAKES_VALUE,    NULL,                apply_loop_limit },
 	{ "no-file-io",       TAKES_NOTHING,  NULL,                apply_no_file_io },
 	{ "output",           TAKES_VALUE,    NULL,                apply_output },
 	{ "progress",         TAKES_VALUE,    NULL,                apply_progress },

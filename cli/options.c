@@ -52,6 +52,7 @@ void options_init(struct options *o)
 		.antialias_threshold = 0.3f,
 		.antialias_gamma = 2.5f,
 		.jitter_amount = 1,
+		.loop_limit = -1,
 		.frame_step = 1,
 		.final_clock = 1,
 		.all_console = true,

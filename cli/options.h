@@ -82,6 +82,7 @@ struct options {
 	float version, clock;
 	int quality;
 	bool no_file_io;
+	double loop_limit; /* tokens; less than 0: not given */
 	struct text_list read_paths, write_paths;
 
 	/* tracing */

@@ -142,6 +142,8 @@ void setup_scene(struct options *o, struct messages *messages, const struct fram
 	s->output_alpha = o->output_alpha;
 	s->threads = (unsigned)o->threads;
 	s->no_file_io = o->no_file_io;
+	if (o->loop_limit >= 0)
+		s->loop_limit = o->loop_limit;
 	s->read_paths = o->read_paths.items;
 	s->read_path_count = o->read_paths.count;
 	s->write_paths = o->write_paths.items;

@@ -46,6 +46,8 @@ static const struct {
 		"  --ini FILE[SECTION]      read POV-Ray options from a file\n"
 		"  --no-file-io, --allow-read DIR, --allow-write DIR\n"
 		"                           limit what a scene may read and write\n"
+		"  --loop-limit TOKENS      after which loops are taken for endless (2e10; 0: "
+		"never)\n"
 		"  --progress bar|lines|off, --quiet\n"
 		"  --stats FILE             times, rays and memory as JSON (- is standard output)\n"
 		"\n"
@@ -57,12 +59,13 @@ static const struct {
 		"  --quiet    errors only\n"
 		"\n"
 		"and the options of lambert render that a scene can see: --size, --declare,\n"
-		"--include-path, --clock, --language-version. Exit status 0: good, 1: errors.\n" },
+		"--include-path, --clock, --language-version, --loop-limit. Exit status 0: good,\n"
+		"1: errors.\n" },
 	{ "ast",
 		"lambert ast scene.pov [options]     print the syntax tree of a scene as JSON\n"
 		"\n"
 		"The options are those of lambert render that a scene can see: --size, --declare,\n"
-		"--include-path, --clock, --language-version.\n" },
+		"--include-path, --clock, --language-version, --loop-limit.\n" },
 	{ "diff",
 		"lambert diff a.png b.png [options]     compare two pictures\n"
 		"\n"

@@ -43,7 +43,9 @@ static double wall_seconds(void)
 
 void lambert_scene_options_init(struct lambert_scene_options *o)
 {
-	*o = (struct lambert_scene_options){ .width = 160, .height = 120, .quality = 9 };
+	*o = (struct lambert_scene_options){
+		.width = 160, .height = 120, .quality = 9, .loop_limit = 2e10
+	};
 }
 
 /* ---- messages ---- */
@@ -109,6 +111,7 @@ static struct parse_options parse_options_for(
 		.clock_on = o->clock_on,
 		.version = o->version ? (int)o->version : 370,
 		.version_set = o->version != 0,
+		.max_loop_tokens = o->loop_limit,
 		.no_file_io = o->no_file_io,
 		.read_paths = o->read_paths,
 		.read_path_count = o->read_path_count,

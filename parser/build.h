@@ -321,7 +321,7 @@ struct number builtin_trace(struct parser *, struct reference, struct number ori
 	struct number direction, struct symbol *normal, span);
 struct number builtin_dimensions(struct parser *, const struct symbol *, span);
 struct number builtin_dimension_size(struct parser *, const struct symbol *, double, span);
-struct number builtin_file_exists(struct parser *, const char *);
+struct number builtin_file_exists(struct parser *, const char *, span);
 struct number builtin_call(struct parser *, struct callee, size_t start, span);
 
 /* -- spline.c ----------------------------------------------------------------------------- */

@@ -404,11 +404,15 @@ struct number builtin_dimension_size(
 	return number_float(0);
 }
 
-struct number builtin_file_exists(struct parser *p, const char *name)
+struct number builtin_file_exists(struct parser *p, const char *name, span where)
 {
 	static const char *const extensions[] = { "", NULL };
 	bool courtesy = false;
-	return number_float(file_find(p->options, name, extensions, &courtesy, p->arena) != NULL);
+	const char *path = file_find(p->options, name, extensions, &courtesy, p->arena);
+	const char *refusal = path ? file_may_read(p->options, path, p->arena) : NULL;
+	if (refusal)
+		parser_error(p, where, "%s", refusal);
+	return number_float(path != NULL);
 }
 
 /* -- User-defined functions --------------------------------------------------------------- */

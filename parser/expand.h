@@ -283,8 +283,6 @@ bool loop_while(struct parser *, const struct directive *, span);
 bool loop_for(struct parser *, const struct directive *, span);
 /* At the #end: again, or on. */
 bool loop_again(struct parser *, span);
-/* Gives up when the scene has loops that do not end. */
-bool loop_within_limit(struct parser *, span);
 
 /* macro.c */
 bool macro_define(struct parser *, const struct directive *, span);

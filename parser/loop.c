@@ -7,13 +7,17 @@
 
 #include <math.h>
 
-bool loop_within_limit(struct parser *p, span where)
+/* Counts a pass of the innermost loop. */
+static bool is_within_limit(struct parser *p)
 {
-	const size_t most = p->options->max_loop_tokens;
-	if (!most || ++p->expand->work <= most)
+	struct expand *x = p->expand;
+	const double most = p->options->max_loop_tokens;
+	if (most == 0 || (double)++x->work <= most)
 		return true;
-	parser_stop(
-		p, where, "the loops of this scene do not seem to end: more than %zu tokens", most);
+	parser_stop(p, x->blocks[x->block_count - 1].opened,
+		"this loop does not seem to end: the scene has come to %g tokens (--loop-limit "
+		"permits more)",
+		most);
 	return false;
 }
 
@@ -163,7 +167,7 @@ static bool for_again(struct parser *p, span where)
 bool loop_again(struct parser *p, span where)
 {
 	const struct expand *x = p->expand;
-	if (!loop_within_limit(p, where))
+	if (!is_within_limit(p))
 		return false;
 	return x->blocks[x->block_count - 1].kind == BLOCK_WHILE ? while_again(p)
 								 : for_again(p, where);

@@ -56,7 +56,7 @@ struct parse_options {
 	const char *const *write_paths; /* more folders a scene may write below */
 	size_t write_path_count;
 	bool no_short_ways;	/* leave every expression to the grammar: for tests */
-	size_t max_loop_tokens; /* give up after that many tokens; 0: no limit */
+	double max_loop_tokens; /* give up after that many tokens; 0: no limit */
 	FILE *debug_stream;	/* where #debug, #warning … text goes, NULL: nowhere */
 	void (*text)(void *user, enum keyword stream, const char *line); /* K_DEBUG, K_RENDER, … */
 	void *text_user;

@@ -12,6 +12,7 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 enum {
 	FILE_MOST = 1 << 20,	/* larger files are data */
@@ -135,6 +136,9 @@ static bool is_read(const struct expand *x, const char *path)
 /* The first bytes of a file, memory_alloc'd; NULL: it cannot be read or is too large. */
 static char *read_small(const char *path, size_t *size)
 {
+	struct stat info;
+	if (stat(path, &info) || !S_ISREG(info.st_mode)) /* opening a pipe could last */
+		return NULL;
 	FILE *file = fopen(path, "rb");
 	if (!file)
 		return NULL;

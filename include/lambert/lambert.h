@@ -79,8 +79,9 @@ struct lambert_scene_options {
 	unsigned version; /* language version in hundredths, 0: not given */
 	int quality;	  /* 0 to 9; 9 */
 	bool output_alpha;
-	unsigned threads;	       /* 0: as many as processors */
-	bool no_file_io;	       /* #fopen is refused */
+	unsigned threads;  /* 0: as many as processors */
+	double loop_limit; /* tokens after which loops are taken for endless; 2e10, 0: none */
+	bool no_file_io;   /* #fopen is refused */
 	const char *const *read_paths; /* below these a scene may read, beside its own folder, the
 					   current directory and the library paths */
 	size_t read_path_count;
