@@ -64,6 +64,14 @@ void *memory_alloc(size_t count, size_t size)
 	return memory;
 }
 
+void *memory_zeroed(size_t count, size_t size)
+{
+	void *memory = calloc(count ? count : 1, size ? size : 1);
+	if (!memory)
+		out_of_memory(checked_product(count, size));
+	return memory;
+}
+
 /* Only advice: whether it is taken does not matter to anybody. */
 static void want_huge_pages(void *memory, size_t size)
 {

@@ -51,5 +51,7 @@ size_t arena_used(const struct arena *);
 /* malloc, realloc that end the program with a plain message when memory is exhausted. */
 void *memory_alloc(size_t count, size_t size);
 void *memory_grow(void *old, size_t count, size_t size);
+/* The same, zeroed. */
+void *memory_zeroed(size_t count, size_t size);
 
 #endif

@@ -44,7 +44,8 @@ size_t args_push_number(struct parser *p, struct number number, span where)
 
 size_t args_push_string(struct parser *p, const char *string, span where)
 {
-	push(p, ARG_STRING, where)->string = string;
+	const char *copy = arena_string(p->tree, string, strlen(string)); /* it outlives values */
+	push(p, ARG_STRING, where)->string = copy;
 	return p->grammar->arg_count - 1;
 }
 

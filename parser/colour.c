@@ -78,7 +78,7 @@ struct colour_parts *colour_part(
 {
 	unsigned i = 3; /* filter */
 	if (!parts)
-		parts = ARENA_NEW(p->arena, struct colour_parts);
+		parts = ARENA_NEW(p->held.texts, struct colour_parts);
 	if (word == K_RED)
 		i = 0;
 	else if (word == K_GREEN)

@@ -6,6 +6,8 @@
 
 #include "grammar.tab.h"
 
+#include <string.h>
+
 /* What is written to. */
 struct target {
 	struct symbol *symbol;
@@ -28,7 +30,8 @@ static void read_deprecation(struct parser *p, struct mark *mark)
 		return;
 	mark->deprecated = true;
 	mark->once = raw_accept_keyword(p, K_ONCE);
-	mark->text = raw_string(p, true);
+	const char *text = raw_string(p, true);
+	mark->text = text ? arena_string(p->arena, text, strlen(text)) : NULL;
 }
 
 /* Goes down to an element. A #local cannot reach an element of an array of an outer table, unless
@@ -155,7 +158,7 @@ static bool read_value(struct parser *p, struct target *t, span where)
 		/* A lone identifier, or an array that may hold others: the copy is independent. */
 		if (v.kind == VALUE_ARRAY &&
 			((gate.delivered == 1 && gate.slot) || v.array->kind == VALUE_ARRAY))
-			v = value_copy(p->arena, &v);
+			v = value_copy(p, &v);
 		ok = assign(p, t, &v) && read_semicolon(p, is_expression(&v, &gate), where);
 	}
 	gate_close(p);
@@ -182,7 +185,7 @@ bool declare_run(struct parser *p, bool local, span where)
 	/* The old value stays readable: #declare A = A + 1; */
 	if (!read_value(p, &t, where))
 		return false;
-	t.symbol->kept = t.kept;
+	symbol_let_go(&p->expand->symbols, t.symbol, t.kept);
 	return true;
 }
 

@@ -142,6 +142,7 @@ bool directive_run(struct parser *p)
 {
 	struct expand *x = p->expand;
 	const struct frame *f = &x->frames[x->frame_count - 1];
+	held_collect(p);
 	/* Those that read statements, which may end a piece, do not need d any more. */
 	const struct raw_token *raw = &f->tokens[f->position];
 	const struct directive *d = &f->source->directives[raw->payload];

@@ -536,7 +536,7 @@ void expand_pop_names(struct parser *p)
 
 void symbol_assign(struct parser *p, struct symbol *symbol, const struct value *value)
 {
-	*symbol->slot = value_copy(p->arena, value);
+	*symbol->slot = value_copy(p, value);
 }
 
 /* -- Beginning and end -------------------------------------------------------------------- */

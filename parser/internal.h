@@ -31,6 +31,14 @@ enum {
 /* How bytes above 127 in string literals are read; global_settings { charset … } sets it. */
 enum charset { CHARSET_ASCII, CHARSET_UTF8, CHARSET_SYS };
 
+/* Strings and arrays of the scene's variables, and what was one; see collect.c. */
+struct held {
+	struct arena *texts; /* strings, and arrays while they are read */
+	struct array *arrays;
+	size_t array_bytes;
+	size_t due; /* bytes of both that lead to the next collection */
+};
+
 struct expand;	/* the directive layer's own state: expand.h */
 struct grammar; /* the grammar's own state: build.h */
 
@@ -41,6 +49,8 @@ struct parser {
 	                        forgotten, or, for declared values, `arena` */
 	bool keeps_tree;     /* something lasting refers to statements: they stay */
 	const struct parse_options *options;
+
+	struct held held;
 
 	/* What the text read so far has set; copied into each node made. Never written to: a
 	 * change makes a new one, see parser_change_state. */
@@ -83,6 +93,15 @@ struct parser {
 
 /* Frees what the grammar's state holds besides the arena. */
 void grammar_finish(struct parser *);
+
+void held_init(struct held *);
+void held_release(struct held *);
+/* Between two statements: gives back what no variable holds any more, if there may be much of it. */
+void held_collect(struct parser *);
+/* Makes the elements of an array, unset, and owns it from now on. */
+void array_keep(struct parser *, struct array *);
+/* A copy that later changes of the original do not reach: arrays are copied. */
+struct value value_copy(struct parser *, const struct value *);
 
 /* A fresh, writable copy of the language state that is in force from now on. */
 struct language_state *parser_change_state(struct parser *);

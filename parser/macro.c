@@ -96,7 +96,7 @@ static bool read_argument(struct parser *p, struct argument *a)
 	const bool ok = parse_declared(p, &a->value) && !p->failed;
 	a->slot = ok && is_reference(p, &gate) ? gate.slot : NULL;
 	if (ok && !a->slot)
-		a->value = value_copy(p->arena, &a->value);
+		a->value = value_copy(p, &a->value);
 	gate_close(p);
 	return ok;
 }

@@ -223,10 +223,12 @@ const struct ast *parse_scene(const char *path, const char *text, size_t size,
 	struct parser p = {
 		.diag = diag, .arena = arena, .tree = arena, .options = options, .state = state
 	};
+	held_init(&p.held);
 	p.expand = expand_create(&p);
 	const struct ast *ast = parse(&p, path, text, size);
 	expand_destroy(p.expand);
 	grammar_finish(&p);
+	held_release(&p.held);
 	free(p.seeds);
 	pointer_map_release(&p.reference_levels);
 	pointer_map_release(&p.reference_parts);

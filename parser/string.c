@@ -117,10 +117,10 @@ const char *string_literal(
 	struct parser *p, const char *text, size_t length, span where, bool escapes)
 {
 	if (is_plain(text, length) && (!escapes || !memchr(text, '\\', length)))
-		return arena_string(p->arena, text, length);
+		return arena_string(p->held.texts, text, length);
 	if (!escapes) /* which every string is read for as well */
 		warn_of_lost(p, text, length, where);
-	char *const start = arena_alloc(p->arena, 3 * length + 1), *out = start;
+	char *const start = arena_alloc(p->held.texts, 3 * length + 1), *out = start;
 	const char *end = text + length;
 	for (const char *in = text; in < end;) {
 		uint32_t code;
@@ -145,7 +145,7 @@ const char *string_literal(
 
 const char *string_bytes(struct parser *p, const char *text)
 {
-	char *const start = arena_string(p->arena, text, strlen(text)), *out = start;
+	char *const start = arena_string(p->held.texts, text, strlen(text)), *out = start;
 	const char *end = text + strlen(text);
 	while (text < end) {
 		uint32_t code;

@@ -31,6 +31,12 @@ static void unbind(struct symbols *s, struct symbol *symbol)
 	symbol->table = 0;
 }
 
+static void retire(struct symbols *s, struct symbol *symbol)
+{
+	symbol->next = s->dying;
+	s->dying = symbol;
+}
+
 void symbols_pop(struct symbols *s)
 {
 	struct symbol *next;
@@ -38,10 +44,9 @@ void symbols_pop(struct symbols *s)
 		next = symbol->next;
 		if (symbol->table)
 			unbind(s, symbol);
-		if (!symbol->kept) {
-			symbol->next = s->dying;
-			s->dying = symbol;
-		}
+		symbol->orphan = symbol->kept;
+		if (!symbol->kept)
+			retire(s, symbol);
 	}
 	s->first[s->table--] = NULL;
 }
@@ -111,7 +116,32 @@ struct symbol *symbol_of_element(struct symbols *s, const struct symbol *array, 
 
 void symbol_remove(struct symbols *s, struct symbol *symbol)
 {
-	unbind(s, symbol); /* it stays in the list of its table until that goes */
+	unbind(s, symbol); /* it stays in the list of its table for now */
+	s->removed++;
+}
+
+void symbol_let_go(struct symbols *s, struct symbol *symbol, bool kept_before)
+{
+	symbol->kept = kept_before;
+	if (symbol->orphan && !kept_before)
+		retire(s, symbol);
+}
+
+void symbols_drop_removed(struct symbols *s)
+{
+	s->removed = 0;
+	for (unsigned table = SYMBOL_GLOBAL; table <= s->table; table++) {
+		struct symbol **link = &s->first[table];
+		for (struct symbol *symbol; (symbol = *link) != NULL;) {
+			if (symbol->table) {
+				link = &symbol->next;
+				continue;
+			}
+			*link = symbol->next;
+			symbol->next = s->unused;
+			s->unused = symbol;
+		}
+	}
 }
 
 const struct value *symbol_value(const struct symbol *symbol)
@@ -134,16 +164,4 @@ bool array_accepts(struct array *a, const struct value *v)
 		a->terms = terms;
 	}
 	return a->kind == v->kind && a->token == token && a->terms == terms;
-}
-
-struct value value_copy(struct arena *arena, const struct value *v)
-{
-	struct value copy = *v;
-	if (v->kind != VALUE_ARRAY)
-		return copy;
-	copy.array = arena_copy(arena, v->array, sizeof *v->array);
-	copy.array->elements = ARENA_ARRAY(arena, v->array->count, struct value);
-	for (size_t i = 0; i < v->array->count; i++)
-		copy.array->elements[i] = value_copy(arena, &v->array->elements[i]);
-	return copy;
 }

@@ -21,6 +21,7 @@ struct symbol {
 	unsigned table;	       /* number of its table; 0: removed */
 	bool entered;	       /* its first value is being read: declared, but without a value */
 	bool kept;	       /* somebody holds on to it: do not recycle */
+	bool orphan;	       /* kept when its table went */
 	bool deprecated, deprecated_once;
 	const char *deprecation; /* message, NULL: a default text */
 };
@@ -38,7 +39,8 @@ struct symbols {
 	struct symbol *first[SYMBOL_TABLES];
 	/* Symbols of tables that are gone; reused when nothing read ahead can refer to them. */
 	struct symbol *unused, *dying, *dead;
-	size_t round; /* token_count / SYMBOL_ROUND of the latest change */
+	unsigned removed; /* since the latest symbols_drop_removed */
+	size_t round;	  /* token_count / SYMBOL_ROUND of the latest change */
 };
 
 void symbols_init(struct symbols *, struct names *, struct arena *);
@@ -60,10 +62,11 @@ struct symbol *symbol_find(const struct symbols *, uint32_t name);
 struct symbol *symbol_create(struct symbols *, uint32_t name, unsigned table);
 /* A short-lived symbol that stands for an element of an array. */
 struct symbol *symbol_of_element(struct symbols *, const struct symbol *array, struct value *slot);
+/* Ends the holding on to a symbol, unless somebody did already. */
+void symbol_let_go(struct symbols *, struct symbol *, bool kept_before);
+/* Lets removed symbols be used again at last: nobody refers to them. */
+void symbols_drop_removed(struct symbols *);
 /* Forgets a symbol. */
 void symbol_remove(struct symbols *, struct symbol *);
-
-/* A copy that later changes of the original do not reach: arrays are copied. */
-struct value value_copy(struct arena *, const struct value *);
 
 #endif

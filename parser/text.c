@@ -128,14 +128,14 @@ struct texts {
 
 struct texts *texts_new(struct parser *p)
 {
-	return ARENA_NEW(p->arena, struct texts);
+	return ARENA_NEW(p->held.texts, struct texts);
 }
 
 struct texts *texts_add(struct parser *p, struct texts *t, struct text_value text)
 {
 	if (t->count == t->room) {
 		t->room = t->room ? 2 * t->room : 4;
-		struct text_value *items = ARENA_ARRAY(p->arena, t->room, struct text_value);
+		struct text_value *items = ARENA_ARRAY(p->held.texts, t->room, struct text_value);
 		if (t->count)
 			memcpy(items, t->items, t->count * sizeof *items);
 		t->items = items;
@@ -172,7 +172,7 @@ static const char *join(struct parser *p, const struct texts *t, bool raw, span 
 		length += strlen(part(t, i, raw));
 	if (!has_room(p, length, where))
 		return "";
-	char *const out = arena_alloc(p->arena, length + 1);
+	char *const out = arena_alloc(p->held.texts, length + 1);
 	char *end = out;
 	for (size_t i = 0; i < t->count; i++) {
 		const size_t size = strlen(part(t, i, raw));
@@ -207,12 +207,12 @@ static const char *format_float(
 {
 	const int l = limited(length), digits = limited(precision);
 	const int width = l < 0 ? -l : l, places = digits < 0 ? 6 : digits;
-	const char *text = l < 0 ? arena_printf(p->arena, "%0*.*f", width, places, value)
-				 : arena_printf(p->arena, "%*.*f", width, places, value);
+	const char *text = l < 0 ? arena_printf(p->held.texts, "%0*.*f", width, places, value)
+				 : arena_printf(p->held.texts, "%*.*f", width, places, value);
 	if (!shorten || strlen(text) <= STR_LIMIT)
 		return text;
-	return l < 0 ? arena_printf(p->arena, "%0*.*g", width, places, value)
-		     : arena_printf(p->arena, "%*.*g", width, places, value);
+	return l < 0 ? arena_printf(p->held.texts, "%0*.*g", width, places, value)
+		     : arena_printf(p->held.texts, "%*.*g", width, places, value);
 }
 
 const char *text_str(struct parser *p, double value, double length, double precision)
@@ -238,7 +238,7 @@ const char *text_vstr(struct parser *p, double count, struct number value, const
 const char *text_chr(struct parser *p, double value, span where)
 {
 	const int code = number_truncate(value);
-	char *out = arena_alloc(p->arena, 4);
+	char *out = arena_alloc(p->held.texts, 4);
 	if (code < 0 || code > 0xFFFF)
 		parser_error(p, where, "chr needs a code between 0 and 65535");
 	else if (code)
@@ -258,12 +258,12 @@ const char *text_substr(struct parser *p, const char *s, double first, double co
 	const char *end = s;
 	for (int i = 0; i < n; i++)
 		next_code(&end);
-	return arena_string(p->arena, s, (size_t)(end - s));
+	return arena_string(p->held.texts, s, (size_t)(end - s));
 }
 
 const char *text_case(struct parser *p, const char *s, bool upper, span where)
 {
-	char *out = arena_string(p->arena, s, strlen(s));
+	char *out = arena_string(p->held.texts, s, strlen(s));
 	bool foreign = false;
 	for (char *c = out; *c; c++) {
 		if (upper && *c >= 'a' && *c <= 'z')
@@ -293,5 +293,5 @@ const char *text_datetime(struct parser *p, double days, const char *format, spa
 	if (!*format || strlen(format) >= LIMIT || !gmtime_r(&time, &parts) ||
 		!strftime(out, sizeof out, format, &parts))
 		parser_error(p, where, "bad format of datetime");
-	return arena_string(p->arena, out, strlen(out));
+	return arena_string(p->held.texts, out, strlen(out));
 }

@@ -107,8 +107,10 @@ bool file_open(struct parser *p, span where)
 	struct scene_file *f = ARENA_NEW(p->arena, struct scene_file);
 	f->opened = where;
 	gate_open(p, &gate, true);
-	const bool ok =
-		parse_string(p, &f->path, true) && is_named(p, f, where) && open_as(p, f, where);
+	const char *path = "";
+	bool ok = parse_string(p, &path, true);
+	f->path = arena_string(p->arena, path, strlen(path));
+	ok = ok && is_named(p, f, where) && open_as(p, f, where);
 	gate_close(p);
 	if (!ok)
 		return false;

@@ -63,14 +63,14 @@ struct value value_of_symbol(struct parser *p, struct symbol *symbol, span where
 
 struct elements *elements_new(struct parser *p)
 {
-	return ARENA_NEW(p->arena, struct elements);
+	return ARENA_NEW(p->held.texts, struct elements);
 }
 
 static void add(struct parser *p, struct elements *e, struct element element)
 {
 	if (e->count == e->capacity) {
 		const size_t capacity = e->capacity ? 2 * e->capacity : 8;
-		struct element *items = ARENA_ARRAY(p->arena, capacity, struct element);
+		struct element *items = ARENA_ARRAY(p->held.texts, capacity, struct element);
 		if (e->count)
 			memcpy(items, e->items, e->count * sizeof *items);
 		e->items = items;
@@ -147,7 +147,7 @@ struct value value_array(
 	struct parser *p, size_t start, span dims, const struct elements *elements, span where)
 {
 	struct grammar *g = p->grammar;
-	struct array *a = ARENA_NEW(p->arena, struct array);
+	struct array *a = memory_zeroed(1, sizeof *a);
 	const size_t dimensions = g->arg_count - start;
 	a->count = 1;
 	if (dimensions > 5)
@@ -162,8 +162,9 @@ struct value value_array(
 		}
 	}
 	g->arg_count = start;
-	if (!p->failed)
-		a->elements = ARENA_ARRAY(p->arena, a->count, struct value);
+	if (p->failed)
+		a->count = 1;
+	array_keep(p, a);
 	if (elements && !p->failed)
 		fill(p, a, 0, 0, elements, where);
 	return (struct value){ .kind = VALUE_ARRAY, .array = a };

@@ -48,6 +48,8 @@ struct array {
 	int token;	      /* set with `kind` by array_accepts: value.token of nodes */
 	unsigned terms;	      /* the same: terms of numbers */
 	struct value *elements;
+	struct array *next; /* of all held, see collect.c */
+	bool reached;
 };
 
 /* Whether an element of the array may take the value; the first one decides the type of all. */
