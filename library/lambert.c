@@ -268,9 +268,10 @@ bool lambert_scene_check(
 {
 	struct reading r = { .path = path, .options = o };
 	with_deep_stack(read_scene, &r);
+	const bool fine = r.scene != NULL;
 	*stats = r.stats;
 	scene_destroy(r.scene);
-	return r.scene != NULL;
+	return fine;
 }
 
 bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)

@@ -182,7 +182,7 @@ struct node *copy_node(
 
 /* -- statement.c: statements that need more than a node ----------------------------------- */
 
-void camera_check_order(struct parser *, struct node_list);
+void camera_check(struct parser *, struct node_list);
 struct node *node_matrix(struct parser *, span whole, span word, size_t start);
 struct node *magnet_node(
 	struct parser *, span whole, span word, double type, span at, struct node *kind);

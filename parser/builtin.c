@@ -13,8 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-#define PI	  3.14159265358979323846
-#define TOLERANCE 1e-10 /* atan2 of two values this small is an error, as the language defines */
+#define PI 3.14159265358979323846
 
 /* -- Numbers of arguments ----------------------------------------------------------------- */
 
@@ -174,7 +173,7 @@ static double two_floats(const struct call *c)
 	const double a = arg_float(c, 0), b = arg_float(c, 1);
 	switch (c->word) {
 	case K_ATAN2:
-		if (fabs(a) <= TOLERANCE && fabs(b) <= TOLERANCE)
+		if (fabs(a) <= EPSILON && fabs(b) <= EPSILON)
 			parser_error(c->p, c->where, "atan2(0, 0) is not defined");
 		return elementary_atan2(a, b);
 	case K_POW:

@@ -383,9 +383,7 @@ int expand_next(struct parser *p, struct token_value *v, span *where)
 const struct name *expand_name_at(struct parser *p, span where)
 {
 	struct names *names = &p->expand->names;
-	const struct source *s = p->expand->sources;
-	while (s && s->number != where.source)
-		s = s->previous;
+	const struct source *s = source_at(p->expand, where);
 	const size_t length = s ? raw_word_length(s->bytes + where.offset) : 0;
 	return length ? &names->list[names_intern(names, s->bytes + where.offset, length)] : NULL;
 }

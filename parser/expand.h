@@ -227,6 +227,10 @@ bool accept(struct parser *, int token);
 /* Words for a token in a message. */
 const char *token_describe(struct parser *, int token, const struct token_value *);
 
+/* Writes a code as UTF-8, three bytes at most, and returns where it ends; one beyond U+FFFF is
+ * replaced. */
+char *string_put_code(char *out, uint32_t code);
+
 /* Text of a string literal: escapes processed, charset applied. */
 const char *string_literal(struct parser *, const char *text, size_t length, span, bool escapes);
 

@@ -1591,7 +1591,7 @@ subsurface_word: KW_TRANSLUCENCY | KW_ANISOTROPY ;
 %type <keyword> camera_word camera_vector camera_float;
 
 camera: KW_CAMERA '{' camera_items '}'
-		{ $$ = node_block(p, $1, @$, @1, $3); camera_check_order(p, $3); }
+		{ $$ = node_block(p, $1, @$, @1, $3); camera_check(p, $3); }
 	;
 camera_items:
 	  %empty { $$ = list_none(); }

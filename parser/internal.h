@@ -110,16 +110,16 @@ struct language_state *parser_change_state(struct parser *);
 void parser_error(struct parser *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
+/* The same, and nothing more is read. */
+void parser_stop(struct parser *, span where, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+
 /* Says more about the error before, if that was shown. */
 void parser_note(struct parser *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
 /* Reports a warning of an expression. */
 void parser_warning(struct parser *, span where, const char *format, ...)
-	__attribute__((format(printf, 3, 4)));
-
-/* The same, and nothing more is read. */
-void parser_stop(struct parser *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
 /* The error for a word that names nothing (T_UNDECLARED), with the nearest name that passes the

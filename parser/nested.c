@@ -49,14 +49,8 @@ static bool start_run(struct parser *p, struct run *run, int start)
 
 static bool to_float(struct parser *p, const struct run *run, double *value)
 {
-	const struct number number = run->value.number;
-	if (number.terms != 1) {
-		parser_error(p, run->where, "a float is wanted here, not a %s",
-			number.terms == 5 ? "colour" : "vector");
-		return false;
-	}
-	*value = number.v[0];
-	return true;
+	*value = number_to_float(p, run->value.number, run->where);
+	return !p->failed;
 }
 
 bool parse_float(struct parser *p, double *value)

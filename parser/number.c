@@ -13,8 +13,6 @@
 
 #include <math.h>
 
-#define TOLERANCE 1e-10 /* comparisons take values this near for equal, as the language defines */
-
 struct number number_float(double value)
 {
 	return (struct number){ .terms = 1, .v = { value } };
@@ -67,13 +65,13 @@ struct number number_negate(struct number n)
 struct number number_not(struct number n)
 {
 	for (unsigned i = 0; i < n.terms; i++)
-		n.v[i] = fabs(n.v[i]) > TOLERANCE ? 0 : 1;
+		n.v[i] = fabs(n.v[i]) > EPSILON ? 0 : 1;
 	return n;
 }
 
 bool number_is_true(struct parser *p, struct number n, span where)
 {
-	return fabs(number_to_float(p, n, where)) > TOLERANCE;
+	return fabs(number_to_float(p, n, where)) > EPSILON;
 }
 
 /* -- Binary operators --------------------------------------------------------------------- */
@@ -113,17 +111,17 @@ static double compute(int op, double a, double b, bool *zero)
 	case '>':
 		return a > b;
 	case '=':
-		return !(fabs(a - b) > TOLERANCE);
+		return !(fabs(a - b) > EPSILON);
 	case T_NE:
-		return fabs(a - b) > TOLERANCE;
+		return fabs(a - b) > EPSILON;
 	case T_LE:
-		return a <= b || !(fabs(a - b) > TOLERANCE); /* so NaN is, too */
+		return a <= b || !(fabs(a - b) > EPSILON); /* so NaN is, too */
 	case T_GE:
-		return a >= b || !(fabs(a - b) > TOLERANCE);
+		return a >= b || !(fabs(a - b) > EPSILON);
 	case '&':
-		return fabs(a) > TOLERANCE && fabs(b) > TOLERANCE;
+		return fabs(a) > EPSILON && fabs(b) > EPSILON;
 	default:
-		return fabs(a) > TOLERANCE || fabs(b) > TOLERANCE;
+		return fabs(a) > EPSILON || fabs(b) > EPSILON;
 	}
 }
 

@@ -39,6 +39,12 @@ bool quick_argument(struct parser *, struct argument *);
 /* As many of them as said, in parentheses. */
 bool quick_arguments(struct parser *, struct argument *, unsigned count);
 
+/* Objects made of objects. */
+static inline bool is_csg(enum keyword word)
+{
+	return word == K_UNION || word == K_MERGE || word == K_INTERSECTION || word == K_DIFFERENCE;
+}
+
 /* quick_item.c: which items may stand next. */
 enum quick_items {
 	ITEMS_NONE = 0,
@@ -64,7 +70,7 @@ struct quick {
 	const struct raw_token *at, *end;
 	unsigned depth;
 	const struct raw_token *object; /* the innermost that is open, or was at the failure */
-	size_t arg_count; /* before */
+	size_t arg_count;		/* before */
 	/* What rand() has changed, to be put back if the attempt fails. */
 	struct draw {
 		size_t stream;

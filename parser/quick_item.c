@@ -330,11 +330,6 @@ static struct node *read_shape(struct quick *q)
 
 static struct node *read_object(struct quick *q);
 
-static bool is_csg(enum keyword word)
-{
-	return word == K_UNION || word == K_MERGE || word == K_INTERSECTION || word == K_DIFFERENCE;
-}
-
 static bool is_object(enum keyword word)
 {
 	return is_shape(word) || is_csg(word) || word == K_OBJECT;

@@ -94,11 +94,6 @@ static enum quick_place place_behind(
 	}
 }
 
-static bool is_csg(enum keyword word)
-{
-	return word == K_UNION || word == K_MERGE || word == K_INTERSECTION || word == K_DIFFERENCE;
-}
-
 /* The items that may begin behind a token. An object within a pigment or the like is a pattern, whose
  * pigments are no modifiers. */
 static unsigned items_behind(const struct parser *p, const struct run *run, int token)

@@ -72,7 +72,8 @@ struct source {
 };
 
 /* Makes a source of a text: copies, registers and lexes it. `main_file`: a byte-order mark is
- * dropped, and what is lexed may be the first piece only. Owned by the arena but for the token arrays: source_finish. */
+ * dropped, and what is lexed may be the first piece only. Owned by the arena but for the token arrays:
+ * source_finish. */
 struct source *source_create(struct arena *, struct diag *, struct names *, const char *name,
 	const char *text, size_t size, bool main_file);
 /* The same with the bytes of a file; NULL with errno set if it cannot be read. */

@@ -40,8 +40,9 @@ static void check_angles(struct parser *p, struct node_list items)
 	}
 }
 
-/* From version 3.5 the type stands first, and a camera identifier takes transformations only. */
-void camera_check_order(struct parser *p, struct node_list items)
+/* Angles; and, from version 3.5, that the type stands first and a camera identifier takes
+ * transformations only. */
+void camera_check(struct parser *p, struct node_list items)
 {
 	check_angles(p, items);
 	if (p->state->version < 350)

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-static char *put_code(char *out, uint32_t code)
+char *string_put_code(char *out, uint32_t code)
 {
 	if (code > 0xFFFF)
 		code = 0xFFFD;
@@ -137,7 +137,7 @@ const char *string_literal(
 			in = take_byte(p, in, end, &code);
 		}
 		if (code)
-			out = put_code(out, code);
+			out = string_put_code(out, code);
 	}
 	*out = 0;
 	return start;

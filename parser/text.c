@@ -36,23 +36,6 @@ static unsigned next_code(const char **s)
 	return code;
 }
 
-static size_t put_code(char *out, unsigned code)
-{
-	if (code < 0x80) {
-		out[0] = (char)code;
-		return 1;
-	}
-	if (code < 0x800) {
-		out[0] = (char)(0xC0 | code >> 6);
-		out[1] = (char)(0x80 | (code & 0x3F));
-		return 2;
-	}
-	out[0] = (char)(0xE0 | code >> 12);
-	out[1] = (char)(0x80 | (code >> 6 & 0x3F));
-	out[2] = (char)(0x80 | (code & 0x3F));
-	return 3;
-}
-
 double text_length(const char *s)
 {
 	size_t n = 0;
@@ -242,7 +225,7 @@ const char *text_chr(struct parser *p, double value, span where)
 	if (code < 0 || code > 0xFFFF)
 		parser_error(p, where, "chr needs a code between 0 and 65535");
 	else if (code)
-		put_code(out, (unsigned)code);
+		string_put_code(out, (uint32_t)code);
 	return out;
 }
 

@@ -61,7 +61,8 @@ struct token_value {
 int expand_next(struct parser *, struct token_value *, span *);
 /* Hands a token back; the next expand_next returns it again. */
 void expand_unread(struct parser *, int token, const struct token_value *, span);
-/* The name that stands at a place of the text, NULL: something else does. */
+/* The name that stands at a place of the text, NULL: something else does. Holds until the next text
+ * is read. */
 const struct name *expand_name_at(struct parser *, span where);
 /* Goes back, in the text being read, to the token that begins at a place. */
 void expand_back(struct parser *, span where);

@@ -26,12 +26,6 @@ struct reader {
 	const char *at, *end;
 };
 
-static bool is_letter(char c)
-{
-	return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
-	       (c >= '0' && c <= '9');
-}
-
 static void skip_comment(struct reader *r)
 {
 	unsigned depth = 0;
@@ -85,7 +79,7 @@ static size_t take_word(struct reader *r, const char **word)
 {
 	skip_between(r);
 	*word = r->at;
-	while (r->at < r->end && is_letter(*r->at))
+	while (r->at < r->end && is_word_character(*r->at))
 		r->at++;
 	return (size_t)(r->at - *word);
 }
