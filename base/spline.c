@@ -5,6 +5,7 @@
  */
 #include "base/spline.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* One component of a spline. */
@@ -86,19 +87,16 @@ static void second_derivatives(const struct curve *c, double *work, double (*m)[
 		m[j][c->k] = (w[j] - (c->t[j + 1] - c->t[j]) * m[j + 1][c->k]) / u[j];
 }
 
-struct spline *spline_naturalize(struct arena *arena, const struct spline *s)
+const double (*spline_curvature(struct arena *arena, const struct spline *s))[5]
 {
-	struct spline *out = ARENA_NEW(arena, struct spline);
 	double(*m)[5] = arena_array(arena, s->count + 1, sizeof(double[5]));
-	double *work = ARENA_ARRAY(arena, 2 * (s->count + 1), double);
+	double *work = memory_alloc(2 * (s->count + 1), sizeof *work);
 	for (unsigned k = 0; s->count && k < s->terms; k++) {
 		const struct curve c = { s->keys, s->values, s->count - 1, k };
 		second_derivatives(&c, work, m);
 	}
-	*out = *s;
-	out->type = SPLINE_NATURAL;
-	out->curvature = (const double(*)[5])m;
-	return out;
+	free(work);
+	return (const double(*)[5])m;
 }
 
 static double natural(const struct curve *c, size_t i, double p, const double (*m)[5])
@@ -161,7 +159,7 @@ struct spline *spline_copy(struct arena *arena, const struct spline *s)
 	struct spline *out = arena_copy(arena, s, sizeof *s);
 	out->keys = arena_copy(arena, s->keys, s->count * sizeof *s->keys);
 	out->values = arena_copy(arena, s->values, s->count * sizeof *s->values);
-	if (s->curvature)
-		out->curvature = arena_copy(arena, s->curvature, s->count * sizeof *s->curvature);
+	if (s->type == SPLINE_NATURAL)
+		out->curvature = spline_curvature(arena, s);
 	return out;
 }

@@ -15,14 +15,16 @@ struct spline {
 	size_t count;
 	const double *keys; /* sorted */
 	const double (*values)[5];
-	const double (*curvature)[5]; /* second derivatives at the keys, if it is natural */
+	const double (
+		*curvature)[5];	  /* second derivatives at the keys, needed while it is natural */
+	struct spline_room *room; /* of the parser: where the entries are */
 };
 
 /* All components at `at`; those beyond `terms` are 0. A natural spline needs its curvature. */
 void spline_value(const struct spline *, double at, double result[5]);
-/* The same entries as a natural spline; they stay where they are. */
-struct spline *spline_naturalize(struct arena *, const struct spline *);
-/* A copy that needs nothing of the original. */
+/* The second derivatives of a natural spline with these entries. */
+const double (*spline_curvature(struct arena *, const struct spline *))[5];
+/* A copy that needs nothing of the original, with its curvature if it is natural. */
 struct spline *spline_copy(struct arena *, const struct spline *);
 
 #endif

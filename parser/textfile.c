@@ -138,6 +138,8 @@ static bool close_file(struct parser *p, struct symbol *symbol, span where)
 {
 	struct scene_file *f = symbol->slot->file;
 	const bool ok = finish_output(p, f, where);
+	if (f->in)
+		source_finish(f->in); /* its text stays, for messages */
 	f->in = NULL;
 	symbol->slot->kind = VALUE_NONE;
 	symbol_remove(&p->expand->symbols, symbol);
