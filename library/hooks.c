@@ -208,11 +208,10 @@ static bool hook_call(void *user, const struct function *f, const double *argume
 	return true;
 }
 
-static bool hook_turbulence(void *user, double lambda, double omega, int octaves, const double p[3],
-	int noise_generator, double result[3])
+static bool hook_turbulence(
+	void *user, double lambda, double omega, int octaves, const double p[3], double result[3])
 {
 	(void)user;
-	(void)noise_generator; /* the turbulence vector is the same for all */
 	from_vec(noise_turbulence(to_vec(p), octaves, omega, lambda), result);
 	return true;
 }

@@ -235,13 +235,9 @@ static struct number turbulence(const struct call *c)
 	const double point[3] = { at.x, at.y, at.z };
 	int octaves = number_truncate(arg_float(c, 2));
 	octaves = octaves < 1 ? 1 : octaves > 10 ? 10 : octaves;
-	const struct language_state *state = c->p->state;
-	const int generator = state->noise_generator  ? state->noise_generator
-			      : state->version >= 350 ? 2
-						      : 1;
 	double r[3] = { 0 };
 	if (!hooks->turbulence || !hooks->turbulence(hooks->user, arg_float(c, 0), arg_float(c, 1),
-					  octaves, point, generator, r))
+					  octaves, point, r))
 		parser_error(c->p, c->where, "not supported yet: vturbulence");
 	return number_vector(r[0], r[1], r[2]);
 }
@@ -330,7 +326,7 @@ struct number builtin_extent(
 	if (object.node->keyword == K_PIGMENT) {
 		if (word == K_MIN_EXTENT)
 			parser_error(p, where, "min_extent needs an object");
-		else if (!hooks->image_size || !hooks->image_size(hooks->user, object.node, hi))
+		else
 			report_unanswered(p, where, "max_extent of this pigment");
 		return number_vector(hi[0], hi[1], hi[2]);
 	}

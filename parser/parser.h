@@ -28,14 +28,12 @@ struct render_hooks {
 	bool (*trace)(void *user, const struct node *object, const double origin[3],
 		const double direction[3], double point[3], double normal[3], bool *found);
 	bool (*extent)(void *user, const struct node *object, double lo[3], double hi[3]);
-	/* Width and height in pixels of the image of an image_map pigment. */
-	bool (*image_size)(void *user, const struct node *pigment, double size[3]);
 	/* Value of a function at `arguments`; `result` has 1 to 5 terms. */
 	bool (*call)(void *user, const struct function *, const double *arguments, double result[5],
 		unsigned *terms);
 	/* The turbulence vector of vturbulence(). */
 	bool (*turbulence)(void *user, double lambda, double omega, int octaves, const double p[3],
-		int noise_generator, double result[3]);
+		double result[3]);
 };
 
 struct parse_options {
