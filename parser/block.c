@@ -14,7 +14,8 @@ struct block *block_push(
 {
 	struct expand *x = p->expand;
 	if (x->block_count == MAX_BLOCKS) {
-		parser_error(p, where, "too many nested conditionals, loops and macros (%d)",
+		parser_error(p, where,
+			"conditionals, loops and macros are nested too deeply (%d are the limit)",
 			MAX_BLOCKS);
 		return NULL;
 	}
@@ -160,6 +161,10 @@ bool block_end(struct parser *p, span where)
 		parser_error(
 			p, where, "#%s must end in the file it begins in", keyword_name(b->opener));
 		parser_note(p, b->opened, "it begins here");
+		return false;
+	}
+	if (b->kind == BLOCK_SWITCH) {
+		parser_error(p, b->opened, "#switch has no #case and no #range before its #end");
 		return false;
 	}
 	x->block_count--;

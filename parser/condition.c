@@ -87,8 +87,9 @@ bool condition_else(struct parser *p, const struct directive *d, span where)
 	case BLOCK_IF:
 		return skip_to_end(p, d);
 	case BLOCK_SWITCH:
-		b->kind = BLOCK_CASE;
-		return true;
+		parser_error(p, where, "expected #case or #range before the #else of a #switch");
+		parser_note(p, b->opened, "the block begins here");
+		return false;
 	case BLOCK_CASE:
 		return true;
 	case BLOCK_ELSE:
@@ -142,8 +143,10 @@ static bool try_cases(struct parser *p, const struct directive *d, span where)
 	const double value = top_block(p)->value;
 	for (;;) {
 		bool match = d->keyword == K_ELSE;
-		if (d->keyword == K_END)
+		if (d->keyword == K_END) {
+			top_block(p)->kind = BLOCK_CASE;
 			return block_end(p, where);
+		}
 		if (d->keyword == K_ELSEIF) {
 			parser_error(p, where, "#elseif in a #switch");
 			return false;

@@ -148,7 +148,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %type <start> one two three four sums comma_sums entry_values
 %type <text> string string_function
 %type <colour> colour marked_colour worded_colour bare_colour colour_items colour_words
-%type <number> rgb rgb_or_black five
+%type <number> rgb rgb_or_black five five_or_black
 %type <parts> parts
 %type <pair> entry_colours
 
@@ -365,6 +365,10 @@ part_word: KW_RED | KW_GREEN | KW_BLUE | KW_FILTER | KW_ALPHA | KW_TRANSMIT ;
 /* Five terms: with filter and transmit, or without. */
 five: colour %prec ENDS { $$ = colour_full(p, $1, @1); } ;
 rgb: colour %prec ENDS { $$ = colour_rgb_only(p, $1, @1); } ;
+five_or_black:
+	  %empty %prec ENDS { $$ = (struct number){ .terms = 5 }; }
+	| five
+	;
 rgb_or_black:
 	  %empty %prec ENDS { $$ = (struct number){ .terms = 5 }; }
 	| rgb
@@ -1376,7 +1380,7 @@ modifier_item:
 	| KW_EXTERIOR two { $$ = node_fit(p, $1, @$, @1, $2, "ff"); }
 	| KW_INTERIOR one { $$ = node_fit(p, $1, @$, @1, $2, "f"); }
 	| KW_INTERIOR two { $$ = node_fit(p, $1, @$, @1, $2, "ff"); }
-	| KW_QUICK_COLOR five { $$ = node_number(p, $1, @$, @1, $2, @2); }
+	| KW_QUICK_COLOR five_or_black { $$ = node_number(p, $1, @$, @1, $2, @2); }
 	| KW_WARP '{' warp '}' { $$ = node_block(p, $1, @$, @1, $3); }
 	| color_map
 	| pigment_map
@@ -1528,6 +1532,7 @@ finish_items:
 	  %empty { $$ = list_none(); }
 	| T_FINISH { $$ = list_one(node_reference(p, $1, @1)); }
 	| finish_items finish_item { $$ = list_add($1, $2); }
+	| finish_items KW_REFLECTION %prec ENDS { $$ = $1; } /* changes nothing */
 	;
 finish_item:
 	  finish_rgb rgb_or_black { $$ = node_number(p, $1, @$, @1, $2, @2); }
@@ -1555,7 +1560,14 @@ albedo:
 	| KW_ALBEDO { $$ = list_one(node_new(p, $1, @$, @1)); }
 	;
 reflection_colours:
-	  rgb %prec ENDS { $$ = args_push_number(p, $1, @1); }
+	  %empty %prec ENDS { $$ = args_push_number(p, (struct number){ .terms = 5 }, @$); }
+	| rgb %prec ENDS { $$ = args_push_number(p, $1, @1); }
+	| ',' { $$ = args_push_number(p, (struct number){ .terms = 5 }, @1); }
+	| ',' rgb
+		{
+			$$ = args_push_number(p, (struct number){ .terms = 5 }, @1);
+			args_push_number(p, $2, @2);
+		}
 	| rgb ',' { $$ = args_push_number(p, $1, @1); }
 	| rgb oc rgb { $$ = args_push_number(p, $1, @1); args_push_number(p, $3, @3); }
 	;
@@ -1581,7 +1593,7 @@ subsurface_items:
 	  %empty { $$ = list_none(); }
 	| subsurface_items subsurface_item { $$ = list_add($1, $2); }
 	;
-subsurface_item: subsurface_word rgb { $$ = node_number(p, $1, @$, @1, $2, @2); } ;
+subsurface_item: subsurface_word rgb_or_black { $$ = node_number(p, $1, @$, @1, $2, @2); } ;
 subsurface_word: KW_TRANSLUCENCY | KW_ANISOTROPY ;
 
 /* ---------------------------------------------------------------- camera */
@@ -1719,7 +1731,7 @@ interior_items:
 	;
 interior_item:
 	  interior_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
-	| KW_FADE_COLOR rgb { $$ = node_number(p, $1, @$, @1, $2, @2); }
+	| KW_FADE_COLOR rgb_or_black { $$ = node_number(p, $1, @$, @1, $2, @2); }
 	| media
 	;
 interior_float:
@@ -1757,7 +1769,7 @@ setting:
 	| KW_NOISE_GENERATOR float
 		{ $$ = node_float(p, $1, @$, @1, $2, @2); set_noise(p, $2, @2); }
 	| setting_float float { $$ = node_float(p, $1, @$, @1, $2, @2); }
-	| setting_rgb rgb { $$ = node_number(p, $1, @$, @1, $2, @2); }
+	| setting_rgb rgb_or_black { $$ = node_number(p, $1, @$, @1, $2, @2); }
 	| KW_CHARSET charset { $$ = node_block(p, $1, @$, @1, list_one($2)); set_charset(p, $2); }
 	| KW_HF_GRAY_16 bool { $$ = node_fit(p, $1, @$, @1, $2, "f?"); }
 	| KW_SUBSURFACE '{' subsurface_settings '}' { $$ = node_block(p, $1, @$, @1, $3); }

@@ -75,12 +75,16 @@ static bool read_range(struct parser *p, struct range *r)
 	if (!parse_float(p, &r->to))
 		return false;
 	r->step = 1;
-	if (accept(p, ',') && !parse_float(p, &r->step))
-		return false;
+	if (accept(p, ',')) {
+		if (accept(p, ')')) /* a comma without a step */
+			return true;
+		if (!parse_float(p, &r->step))
+			return false;
+	}
 	return expect(p, ')', "')' behind the range of #for");
 }
 
-/* "( N, from, to, step )". */
+/* "( N, from, to, step )", with or without the step. */
 static bool read_header(struct parser *p, uint32_t *name, struct range *r, span *where)
 {
 	if (!expect(p, '(', "'(' behind #for") || !raw_name(p, "the variable of #for", name, where))
