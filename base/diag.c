@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Deeper chains than this are shown in part: the innermost ones. */
-enum { CHAIN_MAX = 8 };
+enum { CHAIN_MAX = 8, CONTEXT_MAX = 320 };
 
 struct source {
 	const char *name, *bytes;
@@ -37,7 +37,8 @@ struct diag {
 	bool dropped;	    /* the last error or warning was not shown: nor are its notes */
 	uint64_t *seen;	    /* hashes of what was shown, open addressing; 0: free */
 	size_t seen_count, seen_room;
-	char *lines[CHAIN_MAX + 1]; /* the text of the places being shown */
+	char *lines[CHAIN_MAX + 1];	       /* the text of the places being shown */
+	char contexts[CHAIN_MAX][CONTEXT_MAX]; /* what is said of those passed several times */
 };
 
 struct diag *diag_create(message_sink sink, void *user)
@@ -174,25 +175,80 @@ static bool first_time(struct diag *d, span where, const char *text)
 
 /* -- Messages ----------------------------------------------------------------------------- */
 
+/* The sites that led to a place, each place once: a macro may call itself. */
+struct chain {
+	const struct site *sites[CHAIN_MAX];
+	unsigned times[CHAIN_MAX];
+	size_t length;
+	unsigned more; /* beyond those */
+};
+
+static bool is_same(const struct site *a, const struct site *b)
+{
+	return a->call.source == b->call.source && a->call.offset == b->call.offset &&
+	       (a->context == b->context ||
+		       (a->context && b->context && !strcmp(a->context, b->context)));
+}
+
+static void add_site(struct chain *chain, const struct site *site)
+{
+	for (size_t i = 0; i < chain->length; i++)
+		if (is_same(chain->sites[i], site)) {
+			chain->times[i]++;
+			return;
+		}
+	if (chain->length == CHAIN_MAX) {
+		chain->more++;
+		return;
+	}
+	chain->sites[chain->length] = site;
+	chain->times[chain->length++] = 1;
+}
+
+static struct chain find_chain(const struct diag *d, uint32_t site)
+{
+	struct chain chain = { .length = 0 };
+	while (site && site <= d->site_count) {
+		const struct site *s = &d->sites[site - 1];
+		add_site(&chain, s);
+		site = s->call.site;
+	}
+	return chain;
+}
+
+/* What leads from entry i of the chain to the one before. */
+static const char *context_of(struct diag *d, const struct chain *chain, size_t i)
+{
+	const char *context = chain->sites[i]->context;
+	const unsigned times = chain->times[i], more = i + 1 < CHAIN_MAX ? 0 : chain->more;
+	char *text = d->contexts[i];
+	if (times == 1 && !more)
+		return context;
+	const int length =
+		snprintf(text, CONTEXT_MAX - 64, "%s", context ? context : "reached from here");
+	char *end = text + (length < CONTEXT_MAX - 64 ? length : CONTEXT_MAX - 65);
+	if (times > 1)
+		end += snprintf(end, 32, " (%u times)", times);
+	if (more)
+		snprintf(end, 32, ", and %u more", more);
+	return text;
+}
+
 static void show(struct diag *d, enum severity severity, span where, const char *text)
 {
-	struct place chain[CHAIN_MAX];
-	size_t length = 0;
+	struct place places[CHAIN_MAX];
 	const bool same_way = severity == SEVERITY_NOTE && where.site == d->last_site;
-	for (uint32_t site = same_way ? 0 : where.site;
-		site && site <= d->site_count && length < CHAIN_MAX;) {
-		const struct site *s = &d->sites[site - 1];
-		chain[length] = resolve(d, s->call, &d->lines[length + 1]);
-		chain[length].context = s->context;
-		length++;
-		site = s->call.site;
+	const struct chain chain = find_chain(d, same_way ? 0 : where.site);
+	for (size_t i = 0; i < chain.length; i++) {
+		places[i] = resolve(d, chain.sites[i]->call, &d->lines[i + 1]);
+		places[i].context = context_of(d, &chain, i);
 	}
 	const struct message m = {
 		.severity = severity,
 		.text = text,
 		.place = resolve(d, where, &d->lines[0]),
-		.chain = chain,
-		.chain_length = length,
+		.chain = places,
+		.chain_length = chain.length,
 	};
 	d->last_site = where.site;
 	d->sink(d->user, &m);

@@ -137,7 +137,6 @@ struct grammar {
 	size_t opening_top, opening_capacity;
 	unsigned nested; /* runs within runs */
 	struct function_scope *scope;
-	bool spline_warned;
 };
 struct grammar *grammar_state(struct parser *);
 

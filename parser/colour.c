@@ -48,8 +48,8 @@ struct number colour_word(struct parser *p, enum keyword word, struct number n, 
 	struct number out = { .terms = 5 };
 	if (n.terms > terms)
 		diag_warning(p->diag, where,
-			"suspicious expression behind %s: it has %u components, all are used",
-			keyword_name(word), n.terms);
+			"%s is for %u components: all %u of this value are used",
+			keyword_name(word), terms, n.terms);
 	const unsigned count = n.terms > terms ? n.terms : terms;
 	for (unsigned i = 0; i < count; i++)
 		out.v[i] = i < n.terms ? n.v[i] : n.terms == 1 ? n.v[0] : 0;

@@ -130,6 +130,10 @@ static bool read_semicolon(struct parser *p, bool expression, span where)
 	span at;
 	const int token = expand_next(p, &next, &at);
 	const span gap = raw_gap_before(p, at);
+	if (token == T_UNDECLARED && gap.offset == at.offset) { /* on the same line: color Red */
+		parser_error_undeclared(p, at, next.name, is_declared, NULL);
+		return false;
+	}
 	parser_error(p, gap, "expected ';' behind the declared expression, found %s",
 		token_describe(p, token, &next));
 	note_operator(p, token, at);

@@ -19,14 +19,15 @@ bool expand_push_file(struct parser *p, struct source *source, span call)
 {
 	struct expand *x = p->expand;
 	if (x->file_count == MAX_FILES) {
-		parser_error(
-			p, call, "too many nested include files (%d are the limit)", MAX_FILES);
+		parser_error(p, call, "include files are nested too deeply (%d are the limit)",
+			MAX_FILES);
 		return false;
 	}
 	const bool is_main = x->frame_count == 0;
 	if (!is_main && !symbols_push(&x->symbols)) {
-		parser_error(
-			p, call, "too many nested symbol tables (%d are the limit)", SYMBOL_TABLES);
+		parser_error(p, call,
+			"macros and include files are nested too deeply (%d are the limit)",
+			SYMBOL_TABLES);
 		return false;
 	}
 	x->frames[x->frame_count++] = (struct frame){
@@ -467,7 +468,7 @@ static enum looked look(struct parser *p, int token)
 	return LOOKED_YES;
 }
 
-static bool is_declared(const void *context, const struct name *name)
+bool is_declared(const void *context, const struct name *name)
 {
 	(void)context;
 	return name->binding != NULL;

@@ -52,6 +52,12 @@ bool is_object_modifier(enum keyword word)
 	}
 }
 
+static bool is_axis(enum keyword word)
+{
+	return word == K_X || word == K_Y || word == K_Z || word == K_T || word == K_U ||
+	       word == K_V;
+}
+
 static bool is_colour_word(enum keyword word)
 {
 	return word == K_COLOR || (word >= K_RGB && word <= K_RGBT) ||
@@ -116,14 +122,41 @@ static bool note_home(struct parser *p, const struct queued *t, const struct ope
 	return true;
 }
 
+/* The token `steps` behind the one at a place; NULL: the text ends before. */
+static const struct raw_token *raw_behind(struct parser *p, span where, unsigned steps)
+{
+	const struct frame *f = top_frame(p->expand);
+	const struct raw_token *raw = raw_before(p, where, 0);
+	return raw && steps < f->tokens + f->end - raw ? raw + steps : NULL;
+}
+
+/* The word of an item, and not one of an expression, behind a comma; K_NONE: none is there. */
+static enum keyword item_behind(struct parser *p, span where)
+{
+	const struct raw_token *raw = raw_behind(p, where, 1), *next = raw_behind(p, where, 2);
+	const enum keyword word =
+		raw && raw->kind == RAW_KEYWORD ? (enum keyword)raw->payload : K_NONE;
+	double value;
+	return constant_value(p, word, &value) || is_axis(word) || (next && next->kind == '(')
+		       ? K_NONE
+		       : word;
+}
+
 /* `rgb 0.1, 0.2`: the components of a vector without its brackets. */
 static bool note_vector(struct parser *p, const struct queued *t, const struct opening *open)
 {
 	const struct raw_token *word = raw_before(p, t->where, 2);
+	const struct raw_token *next = raw_behind(p, t->where, 1);
+	const enum keyword item = item_behind(p, t->where);
 	const bool in_parentheses = open && open->token == '(' &&
 				    (open->keyword == K_NONE || is_colour_word(open->keyword));
 	if (in_parentheses)
 		parser_note(p, t->where, "a vector is written in angle brackets: <a, b, c>");
+	else if (open && open->token == '{' && item != K_NONE)
+		parser_note(p, t->where, "a comma separates values only: none stands before %s",
+			keyword_name(item));
+	else if (next && next->kind == '}')
+		parser_note(p, t->where, "a comma separates values only: none stands before '}'");
 	else if (word && word->kind == RAW_KEYWORD)
 		parser_note(p, t->where, "several numbers are written as one vector: %s <a, b, c>",
 			keyword_name((enum keyword)word->payload));
@@ -146,6 +179,59 @@ static bool note_call(struct parser *p, const struct queued *t)
 	return true;
 }
 
+/* How a function is called whose arguments differ in kind; NULL: it is not one of those. */
+static const char *call_form(enum keyword word)
+{
+	switch (word) {
+	case K_STR:
+		return "str(number, length, digits)";
+	case K_STRCMP:
+		return "strcmp(s, t)";
+	case K_SUBSTR:
+		return "substr(s, position, length)";
+	case K_VSTR:
+		return "vstr(count, vector, separator, length, digits)";
+	default:
+		return NULL;
+	}
+}
+
+/* Too few or too many arguments. */
+static bool note_call_form(struct parser *p, const struct queued *t, const struct opening *open)
+{
+	const char *form = open && open->token == '(' ? call_form(open->keyword) : NULL;
+	if (!form || (t->token != ')' && t->token != ','))
+		return false;
+	parser_note(p, t->where, "it is called so: %s", form);
+	return true;
+}
+
+/* `90x` and `90 x`. */
+static bool note_axis(struct parser *p, const struct queued *t)
+{
+	const struct raw_token *raw = raw_before(p, t->where, 1);
+	if (!is_axis(t->value.keyword) || !raw ||
+		(raw->kind != RAW_INTEGER && raw->kind != RAW_NUMBER))
+		return false;
+	const span number = raw_span_at(p, raw);
+	parser_note(p, t->where, "a product has its sign: %.*s*%s", (int)number.length,
+		source_at(p->expand, number)->bytes + number.offset,
+		keyword_name(t->value.keyword));
+	return true;
+}
+
+/* An item or the end of a block behind a comma. */
+static bool note_comma(struct parser *p, const struct run *run, const struct opening *open)
+{
+	const struct queued *t = run->last;
+	if (run->token_before != ',' || !open || open->token != '{' ||
+		(t->token != '}' && t->value.keyword == K_NONE) || is_directive(t->value.keyword))
+		return false;
+	parser_note(p, run->where_before, "a comma separates values only: none stands before %s",
+		t->token == '}' ? "'}'" : keyword_name(t->value.keyword));
+	return true;
+}
+
 /* A token that cannot follow an operand. */
 static bool note_behind_operand(struct parser *p, const struct run *run, const struct queued *t)
 {
@@ -154,6 +240,15 @@ static bool note_behind_operand(struct parser *p, const struct run *run, const s
 	parser_note(p, run->where_before,
 		"a name is given a value by #declare or #local: #declare A = 1;");
 	return true;
+}
+
+/* Whether a string stands before or behind a '+'. A declaration is complete before it. */
+static bool joins_strings(struct parser *p, const struct queued *t, int before)
+{
+	const struct raw_token *last = raw_before(p, t->where, 1);
+	const struct raw_token *next = raw_behind(p, t->where, 1);
+	return before == T_STRING || (last && last->kind == RAW_STRING) ||
+	       (next && next->kind == RAW_STRING);
 }
 
 static bool is_operator(int token)
@@ -170,7 +265,7 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 		parser_note(p, t->where, "the operator is '%c', not '%c%c'", token, token, token);
 	else if (token == ')' && before == T_STRING)
 		parser_note(p, t->where, "a string can only be compared here: (S = \"x\")");
-	else if (token == '+' && before == T_STRING)
+	else if (token == '+' && joins_strings(p, t, before))
 		parser_note(p, t->where, "strings are joined by concat(S, T)");
 	else if (token == '\'' || (token == '<' && run->start_token == T_START_STRING && !before))
 		parser_note(p, t->where, "a string stands in double quotes");
@@ -183,6 +278,11 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 	else if (is_colour_word(word) && is_operator(before))
 		parser_note(p, t->where,
 			"a colour in an expression must be declared: #declare C = rgb 1;");
+	else if (open && open->token == '(' && open->keyword == K_FUNCTION && word != K_NONE)
+		parser_note(p, t->where, "'%s' is a reserved word and cannot name a parameter",
+			keyword_name(word));
+	else if (note_call_form(p, t, open) || note_axis(p, t) || note_comma(p, run, open))
+		return true;
 	else if (token == ',')
 		return note_vector(p, t, open);
 	else if (note_home(p, t, open))

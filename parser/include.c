@@ -76,7 +76,7 @@ static bool include_file(struct parser *p, const char *name, span where)
 	if (s)
 		return expand_push_file(p, s, where);
 	parser_error(p, where,
-		"too many nested include files: %d are the limit (does '%s' include "
+		"include files are nested too deeply: %d are the limit (does '%s' include "
 		"itself?)",
 		MAX_FILES, name);
 	return false;

@@ -124,6 +124,8 @@ void parser_warning(struct parser *, span where, const char *format, ...)
 
 /* The error for a word that names nothing (T_UNDECLARED), with the nearest name that passes the
  * test. */
+/* Whether a name means anything at the moment: a name_test. */
+bool is_declared(const void *context, const struct name *);
 void parser_error_undeclared(
 	struct parser *, span where, const char *name, name_test *, const void *context);
 

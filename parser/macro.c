@@ -184,8 +184,8 @@ static bool enter_body(
 	struct expand *x = p->expand;
 	if (!symbols_push(&x->symbols)) {
 		parser_error(p, call,
-			"too many nested symbol tables: %d are the limit (does macro "
-			"'%s' call itself without end?)",
+			"macros and include files are nested too deeply: %d are the limit (does "
+			"macro '%s' call itself without end?)",
 			SYMBOL_TABLES, x->names.list[m->name].text);
 		return false;
 	}

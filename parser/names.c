@@ -116,11 +116,35 @@ static unsigned distance(const char *a, size_t a_length, const char *b, size_t b
 	return rows[a_length % 3][b_length];
 }
 
+static bool is_other_case(char a, char b)
+{
+	return (a ^ b) == 32 && ((a >= 'A' && a <= 'Z') || (a >= 'a' && a <= 'z'));
+}
+
+static bool differs_in_case(const char *a, const char *b)
+{
+	const char *const start = a;
+	bool differs = false;
+	for (; *a && (*a == *b || is_other_case(*a, *b)); a++, b++)
+		differs |= *a != *b;
+	return differs && a > start && !*a && !*b;
+}
+
+const char *names_in_other_case(
+	const struct names *n, const char *word, name_test *test, const void *context)
+{
+	for (uint32_t id = 0; id < n->count; id++)
+		if (differs_in_case(n->list[id].text, word) && test(context, &n->list[id]))
+			return n->list[id].text;
+	return NULL;
+}
+
 bool names_is_nearer(const char *word, const char *known, unsigned *least)
 {
 	const size_t length = strlen(word), known_length = strlen(known);
-	if (length < 2 || length > WORD_MAX || known_length > WORD_MAX ||
-		known_length + 3 < length || known_length > length + 3 || !strcmp(known, word))
+	if ((length < 2 && !differs_in_case(word, known)) || length > WORD_MAX ||
+		known_length > WORD_MAX || known_length + 3 < length || known_length > length + 3 ||
+		!strcmp(known, word))
 		return false;
 	const unsigned most = length < 4 ? 2 : length < 8 ? 4 : 6;
 	const unsigned d = distance(word, length, known, known_length);

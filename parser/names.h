@@ -43,5 +43,8 @@ bool names_is_nearer(const char *word, const char *known, unsigned *least);
 typedef bool name_test(const void *context, const struct name *);
 /* The word nearest in spelling among those that pass the test, NULL if none is near. */
 const char *names_nearest(const struct names *, const char *word, name_test *, const void *context);
+/* One of them that differs from the word in letter case only, NULL if there is none. */
+const char *names_in_other_case(
+	const struct names *, const char *word, name_test *, const void *context);
 
 #endif

@@ -136,6 +136,11 @@ static void check_kinds(struct parser *p, const struct shape_form *form, size_t 
 					: "a number");
 		else if (arg->kind != ARG_STRING && wants && i != start)
 			parser_error(p, arg->span, "text needs a string here");
+		else if (arg->kind == ARG_NUMBER && arg->number.terms != 1 && i - start < letters &&
+			 form->letters[i - start] == 'f')
+			parser_error(p, arg->span, "%s needs %s, which is a float, found a %s",
+				keyword_name(keyword), form->names[i - start],
+				arg->number.terms == 5 ? "colour" : "vector");
 	}
 }
 

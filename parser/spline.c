@@ -129,9 +129,6 @@ const struct spline *spline_build(
 	struct spline_room *room = room_for(p, base, args, added);
 	struct spline *spline = ARENA_NEW(p->arena, struct spline);
 	unsigned terms = base ? base->terms : 2;
-	if (!g->spline_warned)
-		diag_warning(p->diag, where, "splines are an experimental feature of the language");
-	g->spline_warned = true;
 	for (size_t i = 0; i < added; i++) {
 		const struct number value = args[2 * i + 1].number;
 		double v[5] = { 0 };

@@ -257,6 +257,28 @@ static bool is_directive_name(const void *context, const struct name *name)
 	return is_directive(name->keyword);
 }
 
+struct case_test {
+	name_test *test;
+	const void *context;
+	bool opens; /* a brace follows */
+};
+
+/* What include files declare is often a reserved word with a capital letter, such as Red: that is meant
+ * unless the word opens a statement. */
+static bool is_rather_meant(const void *context, const struct name *name)
+{
+	const struct case_test *c = context;
+	return (name->keyword ? c->opens : name->binding != NULL) && c->test(c->context, name);
+}
+
+static const char *find_other_case(
+	struct parser *p, const char *name, name_test *test, const void *context)
+{
+	const struct raw_token *next = raw_peek(p);
+	const struct case_test c = { test, context, next && next->kind == '{' };
+	return names_in_other_case(&p->expand->names, name, is_rather_meant, &c);
+}
+
 static void say(
 	struct parser *p, span where, const char *name, name_test *test, const void *context)
 {
@@ -275,14 +297,16 @@ static void say(
 		parser_note(p, later, "declared here");
 		return;
 	}
-	const char *include = find_include(p, name);
+	const char *nearest = find_other_case(p, name, test, context);
+	const char *include = nearest ? NULL : find_include(p, name);
 	if (include) {
 		parser_error(p, where,
 			"undeclared identifier '%s': %s declares it; write #include \"%s\" before",
 			name, include, include);
 		return;
 	}
-	const char *nearest = names_nearest(&p->expand->names, name, test, context);
+	if (!nearest)
+		nearest = names_nearest(&p->expand->names, name, test, context);
 	parser_error(p, where, "undeclared identifier '%s'%s%s%s", name,
 		nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
 }
