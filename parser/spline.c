@@ -124,8 +124,8 @@ const struct spline *spline_build(
 	struct parser *p, const struct spline *base, enum keyword type, size_t start, span where)
 {
 	struct grammar *g = p->grammar;
-	const struct arg *args = g->args + start;
 	const size_t added = (g->arg_count - start) / 2;
+	const struct arg *args = added ? g->args + start : NULL;
 	struct spline_room *room = room_for(p, base, args, added);
 	struct spline *spline = ARENA_NEW(p->arena, struct spline);
 	unsigned terms = base ? base->terms : 2;
