@@ -205,8 +205,20 @@ static bool enter_body(
 	return block_push(p, BLOCK_MACRO, NULL, call) != NULL;
 }
 
+/* Macros that call each other may come to more calls than anybody waits for. */
+static bool is_within_limit(struct parser *p, span call)
+{
+	const double most = p->options->max_loop_tokens;
+	if (most == 0 || (double)++p->expand->work <= most)
+		return true;
+	parser_stop(p, call, "the macros of this scene do not seem to end (--loop-limit)");
+	return false;
+}
+
 bool macro_call(struct parser *p, struct symbol *symbol, span call)
 {
+	if (!is_within_limit(p, call))
+		return false;
 	struct macro *m = symbol->slot->macro;
 	struct argument arguments[MAX_PARAMETERS];
 	struct gate gate;
