@@ -2,13 +2,13 @@
 /*
  * The renderer at the service of the parser; see hooks.h.
  */
-#include "library/hooks.h"
+#include "hooks.h"
 
 #include "base/pointer_map.h"
-#include "render/accel.h"
-#include "render/lower/draft.h"
-#include "render/lower/lower_function.h"
-#include "render/texture/noise.h"
+#include "accel/accel.h"
+#include "lower/draft.h"
+#include "lower/lower_function.h"
+#include "noise/noise.h"
 
 #include <float.h>
 #include <math.h>

@@ -9,13 +9,13 @@
 #include "base/diag.h"
 #include "base/json.h"
 #include "base/parallel.h"
-#include "library/hooks.h"
+#include "hooks.h"
 #include "parser/parser.h"
-#include "render/accel.h"
-#include "render/api.h"
-#include "render/film.h"
-#include "render/first_calls.h"
-#include "render/lower/lower.h"
+#include "accel/accel.h"
+#include "api.h"
+#include "film/film.h"
+#include "prepare/first_calls.h"
+#include "lower/lower.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  * Making nodes and lists of nodes. Arguments wait on a stack until the
  * statement they belong to is complete.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
  * Skipping is a jump along the links made while lexing. Only a block that an
  * include file opens and the including file continues has to be looked for.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <string.h>
 

@@ -9,8 +9,8 @@
 #ifndef LAMBERT_PARSER_BUILD_H
 #define LAMBERT_PARSER_BUILD_H
 
-#include "parser/internal.h"
-#include "parser/quick.h"
+#include "internal.h"
+#include "quick.h"
 
 /* -- Semantic values (all fit the 64 bytes of a number with a companion) ------------------ */
 

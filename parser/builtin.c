@@ -3,7 +3,7 @@
  * The float and vector functions of ordinary expressions, evaluated at once.
  * What needs geometry or patterns is asked of the renderer through the hooks.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include "base/elementary.h"
 #include "base/transform.h"

@@ -9,7 +9,7 @@
  * expressions, with no token read ahead, and with no macro running, whose
  * parameters may stand for elements of arrays. Nodes have strings of their own.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <stdlib.h>
 #include <string.h>

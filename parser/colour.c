@@ -3,10 +3,10 @@
  * Colours: the words in front of an expression, the parts behind it, and the
  * maps made of them. Components are computed in double and stored as float.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include "base/elementary.h"
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 /*
  * #if, #ifdef, #ifndef, #elseif, #else; #switch, #case, #range.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <math.h>
 

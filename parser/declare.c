@@ -2,7 +2,7 @@
 /*
  * #declare, #local and #undef.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include "grammar.tab.h"
 

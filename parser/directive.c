@@ -3,7 +3,7 @@
  * Runs directives: which word calls what. #default and #version, which need
  * little, are here.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <math.h>
 #include <string.h>

@@ -6,7 +6,7 @@
  *
  * What must not happen too early is held back by the gate, see expand.h.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include "grammar.tab.h"
 

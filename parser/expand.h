@@ -6,9 +6,9 @@
 #ifndef LAMBERT_PARSER_EXPAND_H
 #define LAMBERT_PARSER_EXPAND_H
 
-#include "parser/internal.h"
-#include "parser/source.h"
-#include "parser/symbol.h"
+#include "internal.h"
+#include "source.h"
+#include "symbol.h"
 
 enum {
 	MAX_BLOCKS = 199,

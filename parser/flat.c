@@ -4,7 +4,7 @@
  * stand by themselves: each becomes a block of its own, which changes what the
  * blocks before it made.
  */
-#include "parser/build.h"
+#include "build.h"
 
 /* Below this version POV-Ray warns about them. */
 enum { VERSION_BLOCKS = 150 };

@@ -6,8 +6,8 @@
  * x and u are one variable, y and v too: the last parameter called by either
  * name. A list without them leaves them 0.
  */
-#include "parser/build.h"
-#include "parser/expand.h"
+#include "build.h"
+#include "expand.h"
 
 #include "grammar.tab.h"
 

@@ -4,7 +4,7 @@
  * that it is known where a complete operand stands outside of brackets; there a
  * held gate keeps directives and macros from running, see expand.h.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include "grammar.tab.h"
 

@@ -29,7 +29,7 @@
 %param { struct parser *p } { struct run *run }
 
 %code requires {
-#include "parser/build.h"
+#include "build.h"
 }
 
 %union {

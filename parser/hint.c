@@ -3,8 +3,8 @@
  * What would be right, where the likely cause of an error is a habit from another
  * language or one of the usual slips: notes behind the message.
  */
-#include "parser/build.h"
-#include "parser/expand.h"
+#include "build.h"
+#include "expand.h"
 
 #include "grammar.tab.h"
 

@@ -3,7 +3,7 @@
  * Identifiers: the typed token of what a name holds, subscripts of arrays, the
  * test whether something is declared.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include "grammar.tab.h"
 

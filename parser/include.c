@@ -2,7 +2,7 @@
 /*
  * #include.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <errno.h>
 #include <string.h>

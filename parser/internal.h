@@ -15,10 +15,10 @@
 #include "base/diag.h"
 #include "base/pointer_map.h"
 #include "parser/ast.h"
-#include "parser/names.h"
+#include "names.h"
 #include "parser/parser.h"
-#include "parser/token.h"
-#include "parser/value.h"
+#include "token.h"
+#include "value.h"
 
 enum {
 	REFERENCE_LEVELS = 4000, /* of declared values that use declared values */

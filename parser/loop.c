@@ -3,7 +3,7 @@
  * #while and #for. A pass is a jump back to the tokens of the condition or of
  * the body.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <math.h>
 

@@ -3,8 +3,8 @@
  * #macro and macro calls. The body is not copied: a call reads the tokens of the
  * definition in a frame of its own.
  */
-#include "parser/expand.h"
-#include "parser/quick.h"
+#include "expand.h"
+#include "quick.h"
 
 #include "grammar.tab.h"
 

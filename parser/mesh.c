@@ -3,7 +3,7 @@
  * Meshes: faces and vertices go straight into arrays of numbers, without a
  * node each.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include <string.h>
 

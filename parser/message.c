@@ -5,7 +5,7 @@
  * The debug stream shows whole lines: text waits until its line is complete, and
  * what is incomplete at the end of the scene is never shown.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <string.h>
 

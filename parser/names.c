@@ -2,7 +2,7 @@
 /*
  * Interned words: a hash table with linear probing over an array of names.
  */
-#include "parser/names.h"
+#include "names.h"
 
 #include <limits.h>
 #include <stdlib.h>

@@ -3,8 +3,8 @@
  * The entries of the grammar: each starts a run with its start token. Runs
  * nest, since a directive inside a statement reads its own expressions.
  */
-#include "parser/build.h"
-#include "parser/quick.h"
+#include "build.h"
+#include "quick.h"
 
 #include "grammar.tab.h"
 

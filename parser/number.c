@@ -7,7 +7,7 @@
  * (`V.y`) is a float, but where a vector is wanted the other components are
  * still those of V: `leftover`.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include "grammar.tab.h"
 

@@ -3,7 +3,7 @@
  * From scene text to AST: sets up the parse, declares what options declare,
  * reads the scene, settles what only its end decides.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <errno.h>
 #include <locale.h>

@@ -3,7 +3,7 @@
  * Vectors of literals straight from the raw tokens: what large meshes are made
  * of. Whatever else is met is left to the grammar.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 /* A number of a plain vector: a literal with signs before it. Moves *at behind it. */
 static bool plain_component(const struct frame *f, uint32_t *at, double *value)

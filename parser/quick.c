@@ -14,9 +14,9 @@
  * The rules mirror those of grammar.y, from `full` down to `operand`. Commas,
  * which the language lets one leave out, must be there.
  */
-#include "parser/quick.h"
+#include "quick.h"
 
-#include "parser/build.h"
+#include "build.h"
 
 #include "grammar.tab.h"
 

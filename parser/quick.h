@@ -7,7 +7,7 @@
 #ifndef LAMBERT_PARSER_QUICK_H
 #define LAMBERT_PARSER_QUICK_H
 
-#include "parser/expand.h"
+#include "expand.h"
 
 /* Texts of older versions read sums and textures by rules of their own. */
 enum { QUICK_VERSION = 300 };

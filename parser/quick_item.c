@@ -19,7 +19,7 @@
  *
  * The rules mirror those of grammar.y with the same names.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include "grammar.tab.h"
 

@@ -4,7 +4,7 @@
  * anything is executed. Their places, too, which are measured in the text when
  * they are asked for.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 size_t raw_word_length(const char *text)
 {

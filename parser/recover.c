@@ -8,7 +8,7 @@
  * due for it: its names are marked as lost. In all other cases the parse ends
  * with the first error.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 enum { MOST_RECOVERIES = 100 }; /* also from errors that are not shown */
 

@@ -7,7 +7,7 @@
  * Numbers inside brackets, the bulk of every large scene, are read whole by the
  * short way (quick.c) where that can be, and reach the grammar as one T_SUM.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include "grammar.tab.h"
 

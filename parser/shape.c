@@ -4,7 +4,7 @@
  * missing radius is called a missing radius; and the polynomials with their
  * long lists of coefficients.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include <math.h>
 #include <string.h>

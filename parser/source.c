@@ -3,7 +3,7 @@
  * Source texts: reading, the token arrays, the links between the parts of
  * blocks.
  */
-#include "parser/source.h"
+#include "source.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -14,7 +14,7 @@
 #define LAMBERT_PARSER_SOURCE_H
 
 #include "base/diag.h"
-#include "parser/names.h"
+#include "names.h"
 
 /* Kinds below 128 are the punctuation character itself. */
 enum raw_kind {

@@ -3,7 +3,7 @@
  * Splines of the language: the sorted list of entries, and calls. The curves
  * themselves are in base/spline.c.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include <string.h>
 

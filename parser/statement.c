@@ -4,7 +4,7 @@
  * those that change the state of the language.
  */
 #include "base/transform.h"
-#include "parser/build.h"
+#include "build.h"
 
 #include <math.h>
 #include <string.h>

@@ -5,7 +5,7 @@
  * A string of the language is a sequence of 16-bit codes; codes beyond become
  * U+FFFD. How bytes above 127 are read depends on the charset in force.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <string.h>
 

@@ -2,9 +2,9 @@
 /*
  * Symbol tables; see symbol.h.
  */
-#include "parser/symbol.h"
+#include "symbol.h"
 
-#include "parser/token.h"
+#include "token.h"
 
 #include <string.h>
 

@@ -7,8 +7,8 @@
 #ifndef LAMBERT_PARSER_SYMBOL_H
 #define LAMBERT_PARSER_SYMBOL_H
 
-#include "parser/names.h"
-#include "parser/value.h"
+#include "names.h"
+#include "value.h"
 
 struct symbol {
 	struct value value;

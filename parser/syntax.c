@@ -4,8 +4,8 @@
  * found, in which statement, what would be right, and, for the usual slips, how
  * to write it.
  */
-#include "parser/build.h"
-#include "parser/expand.h"
+#include "build.h"
+#include "expand.h"
 
 #include "grammar.tab.h"
 

@@ -3,7 +3,7 @@
  * The string functions. Strings are UTF-8; the language counts characters of
  * 16 bits, which are the code points here.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include "grammar.tab.h"
 

@@ -4,7 +4,7 @@
  *
  * A file to read is lexed like a scene, and #read takes data from its tokens.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include "grammar.tab.h"
 

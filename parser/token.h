@@ -34,9 +34,9 @@
 #define LAMBERT_PARSER_TOKEN_H
 
 #include "parser/ast.h"
-#include "parser/names.h"
+#include "names.h"
 #include "parser/parser.h"
-#include "parser/value.h"
+#include "value.h"
 
 struct parser;
 struct symbol;

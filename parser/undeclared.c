@@ -6,7 +6,7 @@
  * Include files are looked through only now, when the scene is wrong anyway: those
  * of the folders that #include searches.
  */
-#include "parser/expand.h"
+#include "expand.h"
 
 #include <dirent.h>
 #include <limits.h>

@@ -2,7 +2,7 @@
 /*
  * What the right side of a #declare becomes; array initialisers.
  */
-#include "parser/build.h"
+#include "build.h"
 
 #include "grammar.tab.h"
 

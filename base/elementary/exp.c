@@ -3,7 +3,7 @@
  * The exponential function; the method is in exp.h.
  */
 #include "base/elementary.h"
-#include "base/elementary/exp.h"
+#include "elementary/exp.h"
 
 #include <math.h>
 

@@ -5,7 +5,7 @@
  * logarithms. Only the hyperbolic sine needs a series, next to 0.
  */
 #include "base/elementary.h"
-#include "base/elementary/exp.h"
+#include "elementary/exp.h"
 #include "base/elementary/log.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
  * 11.2). Results that are doubles therefore come out exactly.
  */
 #include "base/elementary.h"
-#include "base/elementary/exp.h"
+#include "elementary/exp.h"
 #include "base/elementary/log.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
  * nearer to a multiple of pi/2 than 2^-62 of itself, and the fraction is right to
  * 2^-137.
  */
-#include "base/elementary/reduce.h"
+#include "elementary/reduce.h"
 #include "base/elementary/tables.h"
 
 enum {

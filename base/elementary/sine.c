@@ -12,7 +12,7 @@
  * so that the sum of all has an error far below that of its last rounding.
  */
 #include "base/elementary.h"
-#include "base/elementary/reduce.h"
+#include "elementary/reduce.h"
 #include "base/elementary/tables.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
  * to -10 … 10, so that the gradient of an isosurface made of them stays bounded;
  * the _2d ones sweep a plane curve around the y axis when p asks for it.
  */
-#include "render/function/internal.h"
+#include "function/internal.h"
 
 #include "base/elementary.h"
 

@@ -2,13 +2,13 @@
 /*
  * The table of the built-in functions.
  */
-#include "render/function/internal.h"
+#include "function/internal.h"
 
 #include <stddef.h>
 
 static const struct internal_entry entries[INTERNAL_COUNT] = {
 #define INTERNAL(number, name, parameters) [number] = { "f_" #name, parameters, f_##name },
-#include "render/function/internal.def"
+#include "function/internal.def"
 #undef INTERNAL
 };
 

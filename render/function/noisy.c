@@ -3,11 +3,11 @@
  * Built-in functions made of noise: the scalar noise itself and the multifractal
  * landscapes (after Musgrave, in "Texturing and Modeling").
  */
-#include "render/function/internal.h"
+#include "function/internal.h"
 
 #include "base/elementary.h"
-#include "render/function/ridged.h"
-#include "render/texture/noise.h"
+#include "function/ridged.h"
+#include "noise/noise.h"
 
 #include <math.h>
 

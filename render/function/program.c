@@ -4,12 +4,12 @@
  * comparisons, NaN and out-of-range arguments behave as the language says:
  * nothing is an error while a function runs.
  */
-#include "render/function/program.h"
+#include "function/program.h"
 
 #include "base/elementary.h"
 #include "base/spline.h"
-#include "render/pattern.h"
-#include "render/texture.h"
+#include "texture/pattern.h"
+#include "texture/texture.h"
 
 #include <limits.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 /*
  * The weights of f_ridged_mf; see ridged.h.
  */
-#include "render/function/ridged.h"
+#include "function/ridged.h"
 
 #include "base/elementary.h"
 

@@ -3,7 +3,7 @@
  * Built-in functions: blobs, spikes, boxes, spirals, helices and other solids,
  * and the polar coordinates.
  */
-#include "render/function/internal.h"
+#include "function/internal.h"
 
 #include "base/elementary.h"
 

@@ -5,7 +5,7 @@
  * own box are moved, a compound's box again with each transformation, and a clip
  * counts only if its box is the smaller one. Kept while an object is read.
  */
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
 /* A box longer than this is no bound. */
 #define LONGEST 1e6

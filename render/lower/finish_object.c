@@ -4,7 +4,7 @@
  * interiors and flags go from parent to child, unions are dissolved, what still
  * has no texture gets the default one.
  */
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
 #include <stdlib.h>
 #include <string.h>

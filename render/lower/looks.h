@@ -7,15 +7,15 @@
  *
  * All of it lives in the scene's arena.
  */
-#ifndef LAMBERT_RENDER_LOWER_LOOKS_H
-#define LAMBERT_RENDER_LOWER_LOOKS_H
+#ifndef LAMBERT_LOWER_LOOKS_H
+#define LAMBERT_LOWER_LOOKS_H
 
-#include "render/lower/lower.h"
-#include "render/pattern.h"
-#include "render/texture/map.h"
-#include "render/texture/normal.h"
-#include "render/texture/pigment.h"
-#include "render/texture/texture_map.h"
+#include "lower/lower.h"
+#include "texture/pattern.h"
+#include "texture/map.h"
+#include "texture/normal.h"
+#include "texture/pigment.h"
+#include "texture/texture_map.h"
 
 /* ---- memory of what has been lowered: lower_texture.c ---- */
 

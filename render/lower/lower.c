@@ -2,9 +2,9 @@
 /*
  * The top level of a scene: each statement to the file that knows it.
  */
-#include "render/lower/lower.h"
+#include "lower/lower.h"
 
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
 #include <stdlib.h>
 

@@ -3,7 +3,7 @@
  * What fills the space between objects and within them: fog, sky_sphere,
  * background and interiors.
  */
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
 /* Below this a length counts as nothing. */
 #define EPSILON 1e-10

@@ -3,7 +3,7 @@
  * camera { … }: since language version 3.5 the items are collected and applied
  * in a fixed order; before, each acts at once, in the order written.
  */
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
 #include "base/elementary.h"
 

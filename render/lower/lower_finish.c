@@ -2,7 +2,7 @@
 /*
  * finish { … }. Every number is single precision.
  */
-#include "render/lower/looks.h"
+#include "looks.h"
 
 #include "base/elementary.h"
 

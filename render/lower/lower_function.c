@@ -7,10 +7,10 @@
  * powers are products, and neighbouring constants of a chain of operators are
  * merged, even where that is not quite algebra (see merge_chain).
  */
-#include "render/lower/lower_function.h"
+#include "lower/lower_function.h"
 
-#include "render/function/ridged.h"
-#include "render/lower/looks.h"
+#include "function/ridged.h"
+#include "looks.h"
 
 #include <assert.h>
 #include <stdlib.h>

@@ -3,10 +3,10 @@
  * light_source { location, colour items }: each type word replaces the type and
  * resets the cone; transformations move what has been read so far.
  */
-#include "render/lower/lower.h"
+#include "lower/lower.h"
 
 #include "base/elementary.h"
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943296
 

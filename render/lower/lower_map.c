@@ -2,7 +2,7 @@
 /*
  * Maps ([value entry] …) and the lists of integer patterns.
  */
-#include "render/lower/looks.h"
+#include "looks.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
 /*
  * The modifiers of an object statement, applied to its draft in source order.
  */
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
 static struct looks *looks_of(struct lowering *l, struct looks **looks)
 {

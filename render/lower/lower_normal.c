@@ -2,9 +2,9 @@
 /*
  * normal { … }: reading its items, and building the render form.
  */
-#include "render/lower/looks.h"
+#include "looks.h"
 
-#include "render/pattern/patterns.h"
+#include "texture/patterns.h"
 
 /* Below this quality surfaces are smooth. */
 enum { QUALITY_NORMALS = 8 };

@@ -3,7 +3,7 @@
  * Object statements to drafts: primitives by their parameter tables, CSG by
  * their children, declared objects by copying.
  */
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
 #include <string.h>
 

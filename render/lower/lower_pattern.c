@@ -3,11 +3,11 @@
  * What pigments, normals and patterned textures share: the pattern with its
  * parameters, its modifiers, and the list of transformations and warps.
  */
-#include "render/lower/looks.h"
+#include "looks.h"
 
-#include "render/lower/lower_function.h"
-#include "render/pattern/patterns.h"
-#include "render/texture/noise.h"
+#include "lower/lower_function.h"
+#include "texture/patterns.h"
+#include "noise/noise.h"
 
 #include <string.h>
 

@@ -2,9 +2,9 @@
 /*
  * Textures with a pattern of their own: texture_map, lists, average, uv_mapping and tiles.
  */
-#include "render/lower/looks.h"
+#include "looks.h"
 
-#include "render/pattern/patterns.h"
+#include "texture/patterns.h"
 
 static const struct texture_spec *spec_of(struct lowering *l, struct patterned_state *s)
 {

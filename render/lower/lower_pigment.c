@@ -3,9 +3,9 @@
  * pigment { … }: reading its items, and building the render form. A pigment whose
  * colour is the same everywhere becomes that colour.
  */
-#include "render/lower/looks.h"
+#include "looks.h"
 
-#include "render/pattern/patterns.h"
+#include "texture/patterns.h"
 
 #include <string.h>
 

@@ -2,9 +2,9 @@
 /*
  * global_settings { … } and what is settled at the end of the scene.
  */
-#include "render/lower/draft.h"
+#include "lower/draft.h"
 
-#include "render/texture/noise.h"
+#include "noise/noise.h"
 
 enum { TRACE_LEVEL_MAX = 256 };
 

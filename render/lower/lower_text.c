@@ -6,8 +6,8 @@
  * font units, unhinted; where letters stand follows the language, which differs
  * from plain typesetting in the first letter and in that offset.z is ignored.
  */
-#include "render/lower/lower.h"
-#include "render/shape/glyph.h"
+#include "lower/lower.h"
+#include "geometry/glyph.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H

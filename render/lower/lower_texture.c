@@ -7,7 +7,7 @@
  * texture, so that a texture used a thousand times costs a matrix each time, and
  * nothing at all where no pattern would notice.
  */
-#include "render/lower/looks.h"
+#include "looks.h"
 
 #include <stdlib.h>
 #include <string.h>

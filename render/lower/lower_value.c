@@ -4,7 +4,7 @@
  * the promotions of the language: a float where a vector is wanted stands for
  * every component, a 2-vector gets z = 0.
  */
-#include "render/lower/lower.h"
+#include "lower/lower.h"
 
 #include <limits.h>
 

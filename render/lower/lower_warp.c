@@ -2,7 +2,7 @@
 /*
  * warp { … } statements.
  */
-#include "render/lower/looks.h"
+#include "looks.h"
 
 /* A vector this short has no direction; periods this short do not repeat. */
 #define EPSILON 1e-10

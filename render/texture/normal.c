@@ -4,9 +4,9 @@
  * back. Any pattern makes bumps: the differences of its value towards the corners
  * of a small tetrahedron tilt the normal.
  */
-#include "render/texture/normal.h"
+#include "texture/normal.h"
 
-#include "render/texture/pigment.h"
+#include "texture/pigment.h"
 
 static const vec3 corners[4] = {
 	{ 0.942809041, -0.333333333, 0 },

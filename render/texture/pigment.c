@@ -3,7 +3,7 @@
  * The colour of a pigment at a point: the pattern's value looked up in a map of
  * colours or pigments. Colours are single precision at every step.
  */
-#include "render/texture/pigment.h"
+#include "texture/pigment.h"
 
 static float mix(float a, float b, double share)
 {

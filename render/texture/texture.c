@@ -3,10 +3,10 @@
  * Resolving patterned textures at a point into plain ones with weights. Colours are
  * blended after shading, so all a patterned texture does is choose.
  */
-#include "render/texture/texture_map.h"
+#include "texture/texture_map.h"
 
 #include "base/arena.h"
-#include "render/texture/pigment.h"
+#include "texture/pigment.h"
 
 struct resolving {
 	struct surface *surface;

@@ -3,10 +3,10 @@
  * The warps of the language. Transformations are warps too; they lead from the
  * outer space into the pattern's.
  */
-#include "render/texture/warp.h"
+#include "texture/warp.h"
 
 #include "base/elementary.h"
-#include "render/texture/noise.h"
+#include "noise/noise.h"
 
 #define TWO_PI 6.28318530717958647692
 /* Periods below this do not repeat. */

@@ -6,8 +6,8 @@
  * that every instruction set sees the same picture.
  */
 #include "base/arena.h"
-#include "render/accel.h"
-#include "render/shape.h"
+#include "accel/accel.h"
+#include "geometry/shape.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -12,8 +12,8 @@
 #include <cmocka.h>
 
 #include "base/arena.h"
-#include "render/accel.h"
-#include "render/shape.h"
+#include "accel/accel.h"
+#include "geometry/shape.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -11,8 +11,8 @@
 
 #include <cmocka.h>
 
-#include "render/antialias.h"
-#include "render/tables.h"
+#include "antialias.h"
+#include "noise/tables.h"
 
 #include <math.h>
 #include <string.h>

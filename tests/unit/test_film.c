@@ -4,10 +4,10 @@
  * that threads change nothing. The scene is one sphere without a light before a
  * white background.
  */
-#include "render/accel.h"
-#include "render/film.h"
-#include "render/shape.h"
-#include "render/texture.h"
+#include "accel/accel.h"
+#include "film/film.h"
+#include "geometry/shape.h"
+#include "texture/texture.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

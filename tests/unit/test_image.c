@@ -4,9 +4,9 @@
  * and the way to a PNG and back. Reference values were measured with POV-Ray.
  */
 #include "base/arena.h"
-#include "render/api.h"
-#include "render/image.h"
-#include "render/image_encode.h"
+#include "api.h"
+#include "image/image.h"
+#include "image_encode.h"
 
 #include <math.h>
 #include <setjmp.h>

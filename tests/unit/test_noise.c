@@ -2,7 +2,7 @@
 /*
  * Noise against known values, and properties that the pictures rely on.
  */
-#include "render/texture/noise.h"
+#include "noise/noise.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -3,10 +3,10 @@
  * Patterns against known values and against slower definitions of the same thing;
  * frequency and waves; the lookup in maps.
  */
-#include "render/pattern.h"
-#include "render/texture/map.h"
-#include "render/texture/noise.h"
-#include "render/texture/pigment.h"
+#include "texture/pattern.h"
+#include "texture/map.h"
+#include "noise/noise.h"
+#include "texture/pigment.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

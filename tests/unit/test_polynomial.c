@@ -2,7 +2,7 @@
 /*
  * The roots of polynomials: made from known roots, they must come back.
  */
-#include "render/shape/polynomial.h"
+#include "shape/polynomial.h"
 
 #include <float.h>
 #include <math.h>

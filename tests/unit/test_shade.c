@@ -3,7 +3,7 @@
  * The formulas of light: cones, falloff with distance, Fresnel, refraction, the
  * mean density of fog, and the list of interiors a ray is in.
  */
-#include "render/shading.h"
+#include "shading.h"
 
 #include "base/random.h"
 

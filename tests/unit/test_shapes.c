@@ -2,8 +2,8 @@
 /*
  * Geometry: what the answers of a shape owe each other, over random rays.
  */
-#include "render/shape.h"
-#include "render/shape/glyph.h"
+#include "geometry/shape.h"
+#include "geometry/glyph.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

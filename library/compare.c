@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * How two picture files differ: per channel, over all, by shares of pixels within
+ * a distance, and by structural similarity (Wang et al. 2004) of the luminance in
+ * blocks of 8 x 8. Samples are compared as stored, on a scale of 0 to 255.
+ */
+#include "lambert/lambert.h"
+
+#include "base/arena.h"
+#include "base/elementary.h"
+#include "image/image.h"
+#include "image/image_format.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BLOCK = 8 };
+static void complain(lambert_message_function message, void *user, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+static void complain(lambert_message_function message, void *user, const char *format, ...)
+{
+	char text[1024];
+	va_list args;
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	if (message)
+		message(user, &(struct lambert_message){ .severity = LAMBERT_ERROR, .text = text });
+}
+
+/* A sample on the scale of 0 to 255. Codes of up to 16 bits come out exactly, so that equal distances
+ * of codes are equal numbers. */
+static double scaled(const struct image *image, float sample)
+{
+	return image->bits > 16 ? 255 * (double)sample : nearbyint(65535 * (double)sample) / 257;
+}
+
+/* Red, green, blue, alpha of pixel number i, 0 to 255. */
+static void rgba(const struct image *image, size_t i, double out[4])
+{
+	const float *s = image->samples + i * image->channels;
+	const bool is_grey = image->channels < 3;
+	const bool has_alpha = image->channels % 2 == 0;
+	for (unsigned c = 0; c < 3; c++)
+		out[c] = scaled(image, s[is_grey ? 0 : c]);
+	out[3] = has_alpha ? scaled(image, s[image->channels - 1]) : 255;
+}
+
+static double luminance(const struct image *image, size_t i)
+{
+	double c[4];
+	rgba(image, i, c);
+	return 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
+}
+
+/* The largest difference of a channel; counts as infinite when one is not a number. */
+static double pixel_difference(
+	const struct image *a, const struct image *b, size_t i, double difference[4])
+{
+	double p[4], q[4], largest = 0;
+	rgba(a, i, p);
+	rgba(b, i, q);
+	for (int c = 0; c < 4; c++) {
+		difference[c] = p[c] == q[c] ? 0 : fabs(p[c] - q[c]);
+		if (isnan(difference[c]))
+			difference[c] = INFINITY;
+		largest = fmax(largest, difference[c]);
+	}
+	return largest;
+}
+
+static void measure_pixels(
+	const struct image *a, const struct image *b, struct lambert_difference *d)
+{
+	const size_t pixels = (size_t)a->width * a->height;
+	double squares[4] = { 0 };
+	size_t within[3] = { 0 };
+	static const double limits[3] = { 1, 2, 8 };
+	d->worst = -1;
+	for (size_t i = 0; i < pixels; i++) {
+		double difference[4];
+		const double largest = pixel_difference(a, b, i, difference);
+		for (int c = 0; c < 4; c++) {
+			squares[c] += difference[c] * difference[c];
+			d->maximum[c] = fmax(d->maximum[c], difference[c]);
+		}
+		for (int k = 0; k < 3; k++)
+			within[k] += largest <= limits[k];
+		if (largest > d->worst) {
+			d->worst = largest;
+			d->worst_x = (unsigned)(i % a->width);
+			d->worst_y = (unsigned)(i / a->width);
+		}
+	}
+	const double n = (double)pixels;
+	for (int c = 0; c < 4; c++)
+		d->rmse[c] = sqrt(squares[c] / n);
+	d->rmse_all = sqrt((squares[0] + squares[1] + squares[2]) / (3 * n));
+	d->psnr = d->rmse_all > 0 ? 20 * elementary_log10(255 / d->rmse_all) : INFINITY;
+	d->within_1 = (double)within[0] / n;
+	d->within_2 = (double)within[1] / n;
+	d->within_8 = (double)within[2] / n;
+}
+
+/* Similarity of one block, 1 when equal. */
+static double block_ssim(const struct image *a, const struct image *b, unsigned left, unsigned top,
+	unsigned width, unsigned height)
+{
+	const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
+	double sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
+	for (unsigned y = top; y < top + height; y++) {
+		for (unsigned x = left; x < left + width; x++) {
+			const size_t i = (size_t)y * a->width + x;
+			const double p = luminance(a, i), q = luminance(b, i);
+			sa += p;
+			sb += q;
+			saa += p * p;
+			sbb += q * q;
+			sab += p * q;
+		}
+	}
+	const double n = (double)width * height;
+	const double ma = sa / n, mb = sb / n;
+	const double va = saa / n - ma * ma, vb = sbb / n - mb * mb, cov = sab / n - ma * mb;
+	return (2 * ma * mb + c1) * (2 * cov + c2) / ((ma * ma + mb * mb + c1) * (va + vb + c2));
+}
+
+/* Blocks stand side by side; the last of a row or column is moved inwards to be whole. */
+static double lowest_ssim(const struct image *a, const struct image *b)
+{
+	const unsigned width = a->width < BLOCK ? a->width : BLOCK;
+	const unsigned height = a->height < BLOCK ? a->height : BLOCK;
+	double lowest = 1;
+	for (unsigned y = 0; y < a->height; y += BLOCK) {
+		for (unsigned x = 0; x < a->width; x += BLOCK) {
+			const unsigned left = x + width > a->width ? a->width - width : x;
+			const unsigned top = y + height > a->height ? a->height - height : y;
+			const double s = block_ssim(a, b, left, top, width, height);
+			if (!(s >= lowest))
+				lowest = isnan(s) ? -1 : s;
+		}
+	}
+	return lowest;
+}
+
+/* Black - blue - red - yellow - white; square root, so that small differences show. */
+static colour heat(double difference)
+{
+	static const rgb stops[5] = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 },
+		{ 1, 1, 1 } };
+	const double t = 4 * sqrt(fmin(difference, 255) / 255);
+	const int i = t < 3 ? (int)t : 3;
+	const rgb c = rgb_add(rgb_scale(stops[i], 1 - (t - i)), rgb_scale(stops[i + 1], t - i));
+	return (colour){ c.r, c.g, c.b, 0, 0 };
+}
+
+static bool write_heatmap(const struct image *a, const struct image *b, const char *path,
+	lambert_message_function message, void *user)
+{
+	const size_t pixels = (size_t)a->width * a->height;
+	struct film film = { .width = a->width,
+		.height = a->height,
+		.pixels = memory_alloc(pixels, sizeof *film.pixels) };
+	for (size_t i = 0; i < pixels; i++) {
+		double difference[4];
+		film.pixels[i] = heat(pixel_difference(a, b, i, difference));
+	}
+	const struct image_encoding plain = { .format = IMAGE_PNG, .bits = 8 };
+	const char *why = NULL;
+	const bool ok = image_write(&film, &plain, path, &why);
+	free(film.pixels);
+	if (!ok)
+		complain(message, user, "the heat map %s cannot be written: %s", path, why);
+	return ok;
+}
+
+static struct image *read_picture(const char *path, lambert_message_function message, void *user)
+{
+	const char *why = NULL;
+	struct image *image = image_read(path, &why);
+	if (!image)
+		complain(message, user, "the picture %s cannot be read: %s", path, why);
+	return image;
+}
+
+static bool measure(const struct image *a, const struct image *b, const char *heatmap,
+	struct lambert_difference *d, lambert_message_function message, void *user)
+{
+	if (a->width != b->width || a->height != b->height) {
+		complain(message, user, "the pictures differ in size: %u x %u and %u x %u",
+			a->width, a->height, b->width, b->height);
+		return false;
+	}
+	*d = (struct lambert_difference){ .width = a->width, .height = a->height };
+	measure_pixels(a, b, d);
+	d->lowest_ssim = lowest_ssim(a, b);
+	return !heatmap || write_heatmap(a, b, heatmap, message, user);
+}
+
+bool lambert_compare(const char *a, const char *b, const char *heatmap,
+	struct lambert_difference *difference, lambert_message_function message, void *user)
+{
+	struct image *first = read_picture(a, message, user);
+	struct image *second = first ? read_picture(b, message, user) : NULL;
+	const bool ok = second && measure(first, second, heatmap, difference, message, user);
+	image_destroy(first);
+	image_destroy(second);
+	return ok;
+}

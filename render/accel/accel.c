@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Building the acceleration structure: bounded objects go into the tree, the
+ * others into a list, and the copy of the walk for this processor is chosen.
+ */
+#include "accel/accel.h"
+
+#include "base/cpu.h"
+#include "accel_trace.h"
+#include "geometry/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct accel_kernel *choose_kernel(void)
+{
+#if defined(__x86_64__)
+	static const struct accel_kernel *const kernels[CPU_LEVELS] = { &accel_kernel_plain,
+		&accel_kernel_baseline, &accel_kernel_avx2, &accel_kernel_avx512 };
+	return kernels[cpu_level()];
+#else
+	return &accel_kernel_plain;
+#endif
+}
+
+static int by_rank(const void *a, const void *b)
+{
+	const struct object *const *x = a, *const *y = b;
+	return ((*x)->rank > (*y)->rank) - ((*x)->rank < (*y)->rank);
+}
+
+static bool is_bounded(const struct object *o)
+{
+	const box b = o->bounds;
+	return !box_is_unbounded(b) &&
+	       isfinite(b.lo.x + b.lo.y + b.lo.z + b.hi.x + b.hi.y + b.hi.z);
+}
+
+/* Solid all around, like an inverted sphere: any point outside the bounds tells. */
+static bool is_solid_outside(const struct object *o)
+{
+	const vec3 beyond = vec_sub(vec_scale(o->bounds.hi, 2), o->bounds.lo);
+	return object_inside(o, vec_add(beyond, vec(1, 1, 1)));
+}
+
+/* A sphere around the object that is much tighter than its box. */
+static bool enclosing_sphere(const struct object *o, vec3 *centre, double *radius)
+{
+	return !o->place && o->shape->enclosing_sphere &&
+	       o->shape->enclosing_sphere(o->self, centre, radius);
+}
+
+static void set_group_lane(struct sphere_group *g, size_t lane, const struct object *o)
+{
+	vec3 c = vec(0, 0, 0);
+	double radius = NAN;
+	if (o && enclosing_sphere(o, &c, &radius)) {
+		const double size = fabs(c.x) + fabs(c.y) + fabs(c.z);
+		radius = (radius + size * GROUP_SLACK) * (1 + GROUP_SLACK);
+	}
+	g->x[lane] = (float)c.x;
+	g->y[lane] = (float)c.y;
+	g->z[lane] = (float)c.z;
+	g->radius[lane] = (float)radius;
+}
+
+/* Lays the objects out in the order of the tree. */
+static void fill_slots(struct accel *a, const struct object *const *objects)
+{
+	const struct bvh *tree = &a->tree;
+	a->slots = ARENA_ARRAY(a->arena, tree->slot_count, const struct object *);
+	bool has_groups = false;
+	for (size_t i = 0; i < tree->slot_count; i++) {
+		a->slots[i] = tree->slots[i] == BVH_NOTHING ? NULL : objects[tree->slots[i]];
+		vec3 c;
+		double r;
+		has_groups |= a->slots[i] && enclosing_sphere(a->slots[i], &c, &r);
+	}
+	if (!has_groups)
+		return;
+	const size_t count = (tree->slot_count + BVH_WIDTH - 1) / BVH_WIDTH;
+	struct sphere_group *groups = ARENA_ARRAY(a->arena, count, struct sphere_group);
+	for (size_t i = 0; i < count * BVH_WIDTH; i++) {
+		const struct object *o = i < tree->slot_count ? a->slots[i] : NULL;
+		set_group_lane(&groups[i / BVH_WIDTH], i % BVH_WIDTH, o);
+	}
+	a->groups = groups;
+}
+
+static void build_tree(
+	struct accel *a, const struct object *const *objects, size_t count, unsigned threads)
+{
+	if (count == 0)
+		return;
+	box *boxes = memory_alloc(count, sizeof *boxes);
+	bool *groups = memory_alloc(count, sizeof *groups);
+	for (size_t i = 0; i < count; i++) {
+		vec3 centre;
+		double radius;
+		boxes[i] = objects[i]->bounds;
+		groups[i] = enclosing_sphere(objects[i], &centre, &radius);
+	}
+	a->tree = bvh_build(a->arena, boxes, groups, count, threads);
+	a->has_tree = true;
+	fill_slots(a, objects);
+	free(boxes);
+	free(groups);
+}
+
+struct accel *accel_build(struct object *const *objects, size_t count, unsigned threads)
+{
+	struct arena *arena = arena_create(0);
+	struct accel *a = ARENA_NEW(arena, struct accel);
+	a->arena = arena;
+	a->kernel = choose_kernel();
+	a->object_count = count;
+	a->unbounded = ARENA_ARRAY(arena, count, const struct object *);
+	a->outside = ARENA_ARRAY(arena, count, const struct object *);
+	const struct object **bounded = memory_alloc(count, sizeof *bounded);
+	size_t bounded_count = 0;
+	for (size_t i = 0; i < count; i++) {
+		const struct object *o = objects[i];
+		a->kinds |= o->visible_to;
+		if (box_is_empty(o->bounds))
+			continue; /* nothing of it can be hit */
+		if (!is_bounded(o)) {
+			a->unbounded[a->unbounded_count++] = o;
+			continue;
+		}
+		bounded[bounded_count++] = o;
+		if (is_solid_outside(o))
+			a->outside[a->outside_count++] = o;
+	}
+	qsort(a->unbounded, a->unbounded_count, sizeof *a->unbounded, by_rank);
+	build_tree(a, bounded, bounded_count, threads);
+	free(bounded);
+	return a;
+}
+
+void accel_destroy(struct accel *a)
+{
+	if (a)
+		arena_destroy(a->arena);
+}
+
+bool accel_nearest(const struct accel *a, const ray *r, double tmin, double tmax, uint32_t kinds,
+	struct hit *found)
+{
+	return (a->kinds & kinds) && a->kernel->nearest(a, r, tmin, tmax, kinds, found);
+}
+
+bool accel_any(const struct accel *a, const ray *r, double tmin, double tmax, uint32_t kinds)
+{
+	return accel_blocker(a, r, tmin, tmax, kinds, NULL) != NULL;
+}
+
+const struct object *accel_blocker(const struct accel *a, const ray *r, double tmin, double tmax,
+	uint32_t kinds, const struct object *guess)
+{
+	return a->kinds & kinds ? a->kernel->any(a, r, tmin, tmax, kinds, guess) : NULL;
+}
+
+/* Bounded objects that may contain p, by rank, each once. */
+static size_t candidates(const struct accel *a, vec3 p, const struct object **out, size_t room)
+{
+	size_t count = a->kernel->around(a, p, out, room);
+	for (size_t i = 0; i < a->outside_count; i++, count++) {
+		if (count < room)
+			out[count] = a->outside[i];
+	}
+	if (count > room)
+		return count;
+	qsort(out, count, sizeof *out, by_rank);
+	size_t kept = 0;
+	for (size_t i = 0; i < count; i++) {
+		if (kept == 0 || out[kept - 1] != out[i])
+			out[kept++] = out[i];
+	}
+	return kept;
+}
+
+static size_t keep_containing(const struct object *const *objects, size_t count, vec3 p,
+	const struct object **out, size_t room)
+{
+	size_t kept = 0;
+	for (size_t i = 0; i < count && kept < room; i++) {
+		if (object_inside(objects[i], p))
+			out[kept++] = objects[i];
+	}
+	return kept;
+}
+
+size_t accel_containing(const struct accel *a, vec3 p, const struct object **found, size_t room)
+{
+	enum { USUAL = 128 };
+	const struct object *few[USUAL], **near = few;
+	size_t near_count = candidates(a, p, near, USUAL);
+	if (near_count > USUAL) {
+		near = memory_alloc(near_count, sizeof *near);
+		near_count = candidates(a, p, near, near_count);
+	}
+	const size_t count = keep_containing(near, near_count, p, found, room);
+	if (near != few)
+		free(near);
+	return count +
+	       keep_containing(a->unbounded, a->unbounded_count, p, found + count, room - count);
+}
+
+struct accel_stats accel_statistics(const struct accel *a)
+{
+	return (struct accel_stats){
+		.objects = a->object_count,
+		.unbounded = a->unbounded_count,
+		.nodes = a->tree.node_count,
+		.depth = a->tree.depth,
+		.bytes = arena_used(a->arena),
+	};
+}

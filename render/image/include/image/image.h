@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Pictures in files. PNG goes through libpng; everything else through the module
+ * lambert-oiio.so, which is opened only when such a file is read or written.
+ * Writing goes to a file beside the target, which is renamed over it when it is
+ * complete: a half-written picture never replaces a good one.
+ */
+#ifndef LAMBERT_IMAGE_IMAGE_H
+#define LAMBERT_IMAGE_IMAGE_H
+
+#include "film/film.h"
+
+#include <stdio.h>
+
+enum image_format {
+	IMAGE_PNG,
+	IMAGE_PPM,
+	IMAGE_TGA,
+	IMAGE_TGA_RLE,
+	IMAGE_BMP,
+	IMAGE_JPEG,
+	IMAGE_EXR,
+	IMAGE_HDR,
+	IMAGE_TIFF,
+};
+
+enum dither { DITHER_NONE, DITHER_B2, DITHER_B3, DITHER_B4, DITHER_D1, DITHER_D2, DITHER_FS };
+
+struct image_encoding {
+	enum image_format format;
+	int bits; /* 5 to 16 */
+	bool grayscale, alpha;
+	struct working_space working; /* of the film's numbers */
+	struct working_space file;    /* File_Gamma: sRGB by default */
+	enum dither dither;
+	int quality; /* JPEG, 2 to 100; 0: 85 */
+};
+
+/* Writes the film to `path`; "-" is standard output. On failure *why is set to a message (static or
+ * in the thread's buffer) and nothing is left behind. */
+bool image_write(
+	const struct film *, const struct image_encoding *, const char *path, const char **why);
+
+/* A picture read from a file, as stored: 8 or 16 bit samples scaled to 0…1, or floats. */
+struct image {
+	unsigned width, height, channels; /* 1 grey, 2 grey+alpha, 3 rgb, 4 rgba */
+	float *samples;			  /* row-major from the top left */
+	int bits;			  /* per sample in the file; 32 for floats */
+	bool premultiplied;
+	bool has_srgb; /* the file says so */
+	float gamma;   /* of the file; 0: not stated */
+	/* palette images keep their indices */
+	unsigned char *indices;
+	unsigned palette_size;
+	float palette[256][4];
+};
+/* NULL on failure, with *why set. The format is recognised from the contents. */
+struct image *image_read(const char *path, const char **why);
+void image_destroy(struct image *);
+
+#endif

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Area lights: a grid of point lights whose shadows are averaged. The grid is
+ * halved again and again; the average of the quarters is the value of the whole,
+ * and a part whose corners agree is not looked at further. The result is a mean
+ * with unequal weights when the count is not a power of two; scenes are tuned to
+ * it. Jitter moves the points by numbers that belong to the sample.
+ */
+#include "shading.h"
+
+#include <string.h>
+
+/* Corners that differ by more than this are looked at more closely. */
+#define CONTRAST 0.1f
+
+struct grid {
+	struct worker *worker;
+	const struct light *light;
+	const struct point *at;
+	struct area_axes axes;
+	rgb colour; /* of the light without shadow */
+};
+
+struct area_axes area_light_axes(const struct light *light, vec3 to_centre)
+{
+	if (!light->orient)
+		return (struct area_axes){ light->area_u, light->area_v };
+	const double size = vec_length(light->area_u);
+	const bool along_z = fabs(fabs(to_centre.z) - 1) < 0.01;
+	const vec3 helper = along_z ? vec(0, 1, 0) : vec(0, 0, 1);
+	const vec3 u = vec_normalize(vec_cross(to_centre, helper));
+	const vec3 v = vec_normalize(vec_cross(to_centre, u));
+	return (struct area_axes){ vec_scale(u, size), vec_scale(v, size) };
+}
+
+static double grid_factor(double j, int count)
+{
+	return count > 1 ? j / (count - 1) - 0.5 : 0;
+}
+
+vec3 area_light_point(
+	struct worker *w, const struct light *light, const struct area_axes *axes, int u, int v)
+{
+	double ju = u, jv = v;
+	if (light->jitter) {
+		ju += worker_random(w) - 0.5;
+		jv += worker_random(w) - 0.5;
+	}
+	double a = grid_factor(ju, light->area_count_u);
+	double b = grid_factor(jv, light->area_count_v);
+	if (light->circular) { /* from a square to a disc; the shift keeps the middle off zero */
+		a += 0.001;
+		b += 0.001;
+		const double radius = sqrt(a * a + b * b);
+		const double m = radius > 0 ? fmax(fabs(a), fabs(b)) / radius : 0;
+		a *= m;
+		b *= m;
+	}
+	return vec_mad(vec_mad(light->location, a, axes->u), b, axes->v);
+}
+
+/* The shadowed light of one grid point, found once. */
+static rgb grid_point(const struct grid *g, int u, int v)
+{
+	struct worker *w = g->worker;
+	const struct light *light = g->light;
+	struct grid_sample *memo = &w->grid[(size_t)v * (size_t)light->area_count_u + (size_t)u];
+	if (memo->round != w->grid_round) {
+		const vec3 centre = area_light_point(w, light, &g->axes, u, v);
+		vec3 direction;
+		const double distance =
+			light_direction(light, centre, g->at->surface.point, &direction);
+		memo->colour = shadow_filter(w, light, g->at, direction, distance, g->colour);
+		memo->round = w->grid_round;
+	}
+	return memo->colour;
+}
+
+static bool differ(rgb a, rgb b)
+{
+	return fabsf(a.r - b.r) + fabsf(a.g - b.g) + fabsf(a.b - b.b) > CONTRAST;
+}
+
+/* The mean over grid points u1 to u2 and v1 to v2. */
+static rgb grid_mean(const struct grid *g, int u1, int v1, int u2, int v2, int level)
+{
+	rgb c00 = grid_point(g, u1, v1), c10 = grid_point(g, u2, v1);
+	rgb c01 = grid_point(g, u1, v2), c11 = grid_point(g, u2, v2);
+	const bool can_split = u2 - u1 > 1 || v2 - v1 > 1;
+	if (can_split && (level < g->light->adaptive || differ(c00, c10) || differ(c10, c11) ||
+				 differ(c11, c01) || differ(c01, c00))) {
+		const int u_low = (u1 + u2) / 2, u_high = (u1 + u2 + 1) / 2;
+		const int v_low = (v1 + v2) / 2, v_high = (v1 + v2 + 1) / 2;
+		c00 = grid_mean(g, u1, v1, u_low, v_low, level + 1);
+		c10 = grid_mean(g, u_high, v1, u2, v_low, level + 1);
+		c01 = grid_mean(g, u1, v_high, u_low, v2, level + 1);
+		c11 = grid_mean(g, u_high, v_high, u2, v2, level + 1);
+	}
+	return rgb_scale(rgb_add(rgb_add(rgb_add(c00, c10), c01), c11), 0.25);
+}
+
+/* Forgets what is known of other points: all samples are of an older round. */
+static void grid_begin(struct worker *w, size_t count)
+{
+	const bool grows = w->grid_room < count;
+	if (grows) {
+		w->grid_room = count;
+		w->grid = memory_grow(w->grid, count, sizeof *w->grid);
+	}
+	if (grows || w->grid_round == UINT32_MAX) {
+		memset(w->grid, 0, w->grid_room * sizeof *w->grid);
+		w->grid_round = 0;
+	}
+	w->grid_round++;
+}
+
+rgb area_light_filter(struct worker *w, const struct light *light, const struct point *at,
+	vec3 direction, rgb arriving)
+{
+	const struct grid g = { w, light, at, area_light_axes(light, direction), arriving };
+	const size_t count = (size_t)light->area_count_u * (size_t)light->area_count_v;
+	grid_begin(w, count);
+	return grid_mean(&g, 0, 0, light->area_count_u - 1, light->area_count_v - 1, 0);
+}
