@@ -42,11 +42,14 @@ complaint() {
 compared() {
 	local suite=$1 name=$2 theirs said
 	switches_of "$name" "+W80 +H60 -A"
+	rm -f "$work/$name.png"
 	if ! theirs=$(reference "$name"); then
 		fail "$suite/$name" "no picture by povray, see $cache/$name.povray.log"
 	elif ! "$lambert" render "$name.pov" "${switches[@]}" "${quiet[@]}" "+O$work/$name.png" \
 		>"$work/$name.log" 2>&1; then
 		fail "$suite/$name" "$(complaint "$name")"
+	elif [ ! -s "$work/$name.png" ]; then
+		fail "$suite/$name" "no picture by lambert"
 	elif said=$("$lambert" diff "$theirs" "$work/$name.png" --heatmap "$work/$name-heatmap.png" 2>&1); then
 		pass
 	else
