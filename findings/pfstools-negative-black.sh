@@ -3,9 +3,9 @@
 # pfstools turn a black channel into a negative one.
 #
 # Between two tools of a pipe a picture travels as XYZ, so that even a file that is only copied from one format to
-# another is turned to XYZ and back in single precision by two matrices that are not quite inverse. A channel that is
-# exactly 0 in the Radiance file comes out below 0, and 1.0 does not come out as 1.0. A renderer that takes
-# such a map as a light source gets negative light; a logarithm or a square root gives not-a-number.
+# another is turned to XYZ and back in single precision, and does not come back exact. A channel that is 0 in the
+# Radiance file comes out below 0, and 1.0 does not come out as 1.0. A renderer that takes such a map as a light
+# source gets negative light; a logarithm or a square root gives not-a-number.
 # Exit status: 0 when this is still so, 1 when something has changed, 2 when the packages cannot be fetched.
 set -euo pipefail
 packages=(pfstools=2.2.0-5+b1 libpfs2=2.2.0-5+b1)
