@@ -4,7 +4,7 @@
 # folder is that of the scenes.
 #
 # A scene matches when at least 99.5 % of the pixels are within 2/255 and the RMSE is at most 1.5/255. A first
-# line "// switches: ..." replaces the usual switches.
+# line "// switches: ..." replaces the usual switches; it may name NAME.ini.
 # shellcheck shell=bash disable=SC2154 # lambert, cache, work, includes: tests/tally.sh
 quiet=(-D -GA -V "+L$includes")
 
@@ -19,7 +19,7 @@ switches_of() {
 reference() {
 	local name=$1 key picture folder status=0
 	switches_of "$name" "+W80 +H60 -A"
-	key=$({ cat "$name.pov"; echo "${switches[*]} $version"; } | sha256sum | cut -c1-16)
+	key=$({ cat "$name".pov "$name".ini 2>/dev/null; echo "${switches[*]} $version"; } | sha256sum | cut -c1-16)
 	picture=$cache/$name-$key.png
 	if [ ! -e "$picture" ]; then
 		# in a folder of its own: another suite may make the same picture

@@ -67,6 +67,9 @@ count() {
 	if [ -z "$counts" ]; then
 		echo "FAIL ${names[$1]}: ended before its time"
 		counts="0 1"
+	elif [ "$counts" = "0 0" ]; then
+		echo "FAIL ${names[$1]}: ran no case"
+		counts="0 1"
 	fi
 	total_passed=$((total_passed + ${counts% *}))
 	total_failed=$((total_failed + ${counts#* }))

@@ -1,4 +1,5 @@
-// Form of ASE: a camera with right, up and direction by factors of the axes before its location, a texture macro,
+// switches: ase.ini -P
+// Form of ASE, with its INI file: a camera with right, up and direction by factors of the axes before its location, a texture macro,
 // `color COL transmit T`. The area light has no `jitter` here: its random places are each program's own.
 #include "colors.inc"
 #include "finish.inc"

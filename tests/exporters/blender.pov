@@ -55,13 +55,14 @@ light_source {
     diffuse 0.7 0.0
     ambient 0
     emission 0
-    reflection {rgb<0.05, 0.05, 0.05>, rgb<0.4, 0.4, 0.4> fresnel 0 exponent 1.5 metallic 0.2}
+    reflection {rgb<0.05, 0.05, 0.05>, rgb<0.4, 0.4, 0.4> fresnel 1 exponent 1.5 metallic 0.2}
     conserve_energy
 }
 sphere {
     0,1
     pigment {srgb<0.7, 0.2, 0.15>}
     finish {shader_ball}
+    interior {ior 1.5}
     matrix <0.8,0,0, 0,0.8,0, 0,0,0.8, -0.6,0.8,0>
 }
 box {

@@ -24,6 +24,7 @@ light_source {
 #end
 lc_light(0, <4, -6, 8>, <0, 0, 0>, srgb <1, 1, 1>, 0.8, 0, 0, 0, 0, 0, x, y, 1, 1, 0, 0)
 lc_light(1, <-4, -3, 6>, <0, 0, 0.5>, srgb <0.9, 0.8, 0.7>, 0.6, 12, 2, 20, 30, 1, x, y, 1, 1, 1, 0)
+lc_light(3, <1, -8, 5>, <0, 0, 0>, srgb <1, 1, 1>, 0.3, 0, 0, 0, 0, 0, <1, 0, 0>, <0, 0, 1>, 3, 3, 0, 0)
 #ifndef (lc_color_red)
 #declare lc_color_red = texture {
  pigment { srgbf <0.79, 0.1, 0.04, 0> }

@@ -6,6 +6,7 @@
 #end
 #declare CLIP=array[3];
 #declare CLIP[1]=plane { <0.8, 0.1, 0.2>, 1.1 texture { pigment { rgbt <1, 1, 1, 1> } } };
+#declare CLIP[2]=plane { <0.3, 0.9, -0.2>, -1.2 };
 #default { texture {
  finish { ambient 0.000 diffuse 0.650 phong 0.1 phong_size 40.000 specular 0.500 }
 } }
@@ -50,6 +51,10 @@ fog { distance 9.0 fog_type 1 color rgb<0.100, 0.100, 0.150> }
 ball(<-0.9, 0.5, 0.3>, 0.6, rgbt<0.2, 0.3, 0.9, 0.0>)
 rod(<-0.9, 0.5, 0.3> <0.7, -0.6, 0.0> 0.15 rgbt<0.4 0.8 0.3 0.0> 1)
 tricolour(<-0.4, -1.1, 0.4> <1.3, -0.8, 0.6> <0.5, 1.0, 0.8> <-0.2, 0.0, -1> <0.3, 0.1, -1> <0.0, 0.2, -1> <1 0 0> <0 1 0> <0 0 1>)
+sphere { <-1.4, -0.9, 0.2>, 0.5
+  texture { pigment { rgbt <0.9, 0.4, 0.6, 0.0> } }
+  clipped_by { CLIP[2] }
+}
 intersection {
   sphere { <1.0, 0.5, 0.0>, 0.5 texture { pigment { rgbt <0.9, 0.8, 0.2, 0.0> } } }
   object { CLIP[1] }
