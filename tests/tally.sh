@@ -44,11 +44,11 @@ tally() {
 # at_once FUNCTION NAME...: calls the function with each name, many at a time and in silence. Each start of
 # povray waits for half a second, and answers that are already there cost nothing later.
 at_once() {
-	local work=$1 name
+	local call=$1 name
 	shift
 	for name; do
 		while [ "$(jobs -rp | wc -l)" -ge 12 ]; do wait -n || true; done
-		"$work" "$name" >/dev/null 2>&1 &
+		"$call" "$name" >/dev/null 2>&1 &
 	done
 	wait
 }
