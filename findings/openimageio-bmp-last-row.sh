@@ -19,9 +19,9 @@ if ! apt-get -qq -o APT::Sandbox::User="$(id -un)" download "${packages[@]}" $mo
 	echo "Could not download the packages; is the list of packages up to date (apt-get update)?" >&2
 	exit 2
 fi
-for package in *.deb; do dpkg -x "$package" root; done
-PATH=$PWD/root/usr/bin:$PATH
-LD_LIBRARY_PATH=$(echo "$PWD"/root/usr/lib "$PWD"/root/usr/lib/*-linux-gnu "$PWD"/root/usr/lib/*-linux-gnu/*/ | tr ' ' :)
+for package in *.deb; do dpkg -x "$package" unpacked; done
+PATH=$PWD/unpacked/usr/bin:$PATH
+LD_LIBRARY_PATH=$(echo "$PWD"/unpacked/usr/lib "$PWD"/unpacked/usr/lib/*-linux-gnu "$PWD"/unpacked/usr/lib/*-linux-gnu/*/ | tr ' ' :)
 export PATH LD_LIBRARY_PATH
 
 # expect NAME EXPECTED GOT
