@@ -1,0 +1,15 @@
+// waits for: focal blur (aperture)
+// Form of Blender's exporter, depth of field.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+background {rgbt<0.2, 0.2, 0.25, 0>}
+camera { location <0, 0, 0> look_at <0, 0, -1> right <-1.333333, 0, 0> up <0, 1, 0> angle 40.0
+    translate <0.0, 0.3, 6.0>
+    aperture 0.25
+    blur_samples 4, 100
+    variance 0.0001
+    focal_point <0, 0, 0.3>
+}
+light_source { < 0,0,0 > color srgb<1, 1, 1> matrix <1,0,0, 0,1,0, 0,0,1, 2.0,4.0,3.0> }
+sphere { 0,1 pigment {srgb<0.3, 0.6, 0.2>} matrix <1,0,0, 0,1,0, 0,0,1, -0.3,0.4,0> }
+torus { 1.4, 0.2 pigment {srgb<0.8, 0.6, 0.2>} matrix <1,0,0, 0,0.9,0.4, 0,-0.4,0.9, 0,0,0> }
