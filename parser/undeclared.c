@@ -311,12 +311,19 @@ static void say(
 		nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
 }
 
+bool name_is_lost(const struct parser *p, uint32_t id)
+{
+	const struct name *known = &p->expand->names.list[id];
+	return known->lost && !known->binding && diag_errors(p->diag);
+}
+
 void parser_error_undeclared(
 	struct parser *p, span where, const char *name, name_test *test, const void *context)
 {
 	struct names *names = &p->expand->names;
-	const struct name *known = &names->list[names_intern(names, name, strlen(name))];
-	if (known->lost && p->error_count)
+	const uint32_t id = names_intern(names, name, strlen(name));
+	const struct name *known = &names->list[id];
+	if (name_is_lost(p, id))
 		p->failed = true;
 	if (known->binding && known->binding->entered)
 		parser_error(p, where, "'%s' is used in its own declaration", name);

@@ -104,7 +104,7 @@ void lower_statements(struct lowering *l, const struct node *first)
 	for (const struct node *n = first; n && !l->given_up; n = n->next) {
 		statement(l, n);
 		lowering_forget(l);
-		l->given_up = diag_errors(l->diag) >= ERRORS_MAX;
+		l->given_up = diag_mistakes(l->diag) >= ERRORS_MAX;
 		if (l->given_up)
 			diag_note(l->diag, n->span, "too many errors: stopped here");
 	}
@@ -117,7 +117,8 @@ bool lower_end(struct lowering *l, const struct language_state *final)
 	if (!l->cameras)
 		lower_default_camera(l, final->defaults);
 	lowering_settle(l, final);
-	if (!l->scene->object_count)
+	lower_photons_end(l);
+	if (!l->scene->object_count && !diag_errors(l->diag)) /* else they may have been refused */
 		diag_warning(l->diag, NO_SPAN, "the scene has no objects");
 	if (final->assumed_gamma == 0)
 		diag_warning(l->diag, NO_SPAN, "the scene has no assumed_gamma: %s",
