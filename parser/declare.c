@@ -140,6 +140,8 @@ static bool read_semicolon(struct parser *p, bool expression, span where)
 	}
 	parser_error(p, gap, "expected ';' behind the declared expression, found %s",
 		token_describe(p, token, &next));
+	if (token == T_NUMBER || token == T_SUM)
+		note_row(p, at);
 	note_operator(p, token, at);
 	if (token == ',')
 		parser_note(p, at, "the decimal point is '.', and vectors are written <a, b, c>");

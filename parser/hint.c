@@ -52,13 +52,13 @@ bool is_object_modifier(enum keyword word)
 	}
 }
 
-static bool is_axis(enum keyword word)
+bool is_axis(enum keyword word)
 {
 	return word == K_X || word == K_Y || word == K_Z || word == K_T || word == K_U ||
 	       word == K_V;
 }
 
-static bool is_colour_word(enum keyword word)
+bool is_colour_word(enum keyword word)
 {
 	return word == K_COLOR || (word >= K_RGB && word <= K_RGBT) ||
 	       (word >= K_SRGB && word <= K_SRGBT);
@@ -112,10 +112,19 @@ static enum keyword home_of(enum keyword word)
 	}
 }
 
+/* Whether a colour may stand in the braces of a statement. */
+static bool takes_colour(enum keyword statement)
+{
+	return statement == K_LIGHT_SOURCE || statement == K_FOG || statement == K_BACKGROUND ||
+	       statement == K_FINISH;
+}
+
 static bool note_home(struct parser *p, const struct queued *t, const struct opening *open)
 {
 	const enum keyword home = home_of(t->value.keyword);
-	if (home == K_NONE || (open && open->token != '{') || (open && open->keyword == home))
+	if (home == K_NONE ||
+		(open && is_colour_word(t->value.keyword) && takes_colour(open->keyword)) ||
+		(open && open->token != '{') || (open && open->keyword == home))
 		return false;
 	parser_note(p, t->where, "%s belongs in %s { }", keyword_name(t->value.keyword),
 		keyword_name(home));
@@ -281,8 +290,12 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 	else if (open && open->token == '(' && open->keyword == K_FUNCTION && word != K_NONE)
 		parser_note(p, t->where, "'%s' is a reserved word and cannot name a parameter",
 			keyword_name(word));
+	else if (token != '}' && ends_operand(before) && note_row(p, t->where))
+		return true;
 	else if (note_call_form(p, t, open) || note_axis(p, t) || note_comma(p, run, open))
 		return true;
+	else if (token == '}' && open && keyword_is_object(open->keyword))
+		note_sign(p, span_join(open->where, t->where));
 	else if (token == ',')
 		return note_vector(p, t, open);
 	else if (note_home(p, t, open))

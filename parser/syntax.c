@@ -317,8 +317,6 @@ static bool report_identifier(struct parser *p, const struct run *run, const str
 	return true;
 }
 
-/* -- The report --------------------------------------------------------------------------- */
-
 /* Shows the block that the token stands in, which may lack its brace, unless one sees it anyway. */
 static void note_block(struct parser *p, const struct opening *open, span where)
 {
@@ -327,6 +325,58 @@ static void note_block(struct parser *p, const struct opening *open, span where)
 		parser_note(p, open->word, "%s is opened here; is its '}' missing?",
 			keyword_name(open->keyword));
 }
+
+/* What a statement is put together of; NULL: not of objects. */
+static const char *members_of(enum keyword statement)
+{
+	return is_csg(statement) || statement == K_CLIPPED_BY || statement == K_BOUNDED_BY
+		       ? "objects"
+	       : statement == K_MESH ? "triangles"
+	       : statement == K_BLOB ? "components"
+				     : NULL;
+}
+
+/* The name of an object with which a statement begins, of which it is a copy then; NULL: another thing. */
+static const struct raw_token *copied_name(struct parser *p, const struct opening *open)
+{
+	const struct raw_token *raw = raw_inside(p, open);
+	const struct symbol *symbol =
+		raw && raw->kind == RAW_NAME ? p->expand->names.list[raw->payload].binding : NULL;
+	return symbol && value_terminal(symbol->slot) == T_OBJECT ? raw : NULL;
+}
+
+/* An object behind what changes the objects before it, or behind the only one. */
+static bool report_late_object(struct parser *p, const struct run *run, const struct opening *open)
+{
+	const struct queued *t = run->last;
+	if (!open || open->token != '{' ||
+		!(t->token == T_OBJECT || keyword_is_object(t->value.keyword)))
+		return false;
+	const char *members = members_of(open->keyword), *in = keyword_name(open->keyword);
+	const char *found = found_words(p, run, t);
+	const struct raw_token *copied = members ? copied_name(p, open) : NULL;
+	if (copied) {
+		const char *name = p->expand->names.list[copied->payload].text;
+		parser_error(p, t->where, "unexpected %s in %s", found, in);
+		parser_note(p, raw_span_at(p, copied),
+			"a name alone makes a copy; among other objects write object { %s }", name);
+	} else if (members) {
+		parser_error(p, t->where,
+			"unexpected %s in %s: its %s stand before the first texture or "
+			"transformation",
+			found, in, members);
+	} else if (open->keyword == K_OBJECT && run->token_before != '{') {
+		parser_error(p, t->where,
+			"unexpected %s in object: it has a single object; a union has several",
+			found);
+	} else {
+		return false;
+	}
+	note_block(p, open, t->where);
+	return true;
+}
+
+/* -- The report --------------------------------------------------------------------------- */
 
 /* The beginning of an open vector, on another line. */
 static void note_vector_start(struct parser *p, span where)
@@ -431,7 +481,8 @@ void syntax_error(struct parser *p, struct run *run, const struct wanted *w)
 		report_open(p, open, t->where);
 	else if (!report_in_function(p, run, w) && !report_kind(p, run, open, w) &&
 		 !report_empty_call(p, run, w) && !report_short_list(p, run, open, w) &&
-		 !report_stray(p, run, open) && !report_identifier(p, run, open))
+		 !report_stray(p, run, open) && !report_late_object(p, run, open) &&
+		 !report_identifier(p, run, open))
 		report_unexpected(p, run, open, w);
 	/* What it would have opened cannot be told from what follows. */
 	if (!open && directive_opens(t->value.keyword))
