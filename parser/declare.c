@@ -142,7 +142,8 @@ static bool read_semicolon(struct parser *p, bool expression, span where)
 		token_describe(p, token, &next));
 	if (token == T_NUMBER || token == T_SUM)
 		note_row(p, at);
-	note_operator(p, token, at);
+	else if (!note_bracket(p, token, at))
+		note_operator(p, token, at);
 	if (token == ',')
 		parser_note(p, at, "the decimal point is '.', and vectors are written <a, b, c>");
 	if (diag_place(p->diag, where).line != diag_place(p->diag, gap).line)

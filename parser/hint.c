@@ -174,17 +174,23 @@ static bool note_vector(struct parser *p, const struct queued *t, const struct o
 	return true;
 }
 
-/* Parentheses behind a name that is not called. */
-static bool note_call(struct parser *p, const struct queued *t)
+bool note_bracket(struct parser *p, int token, span where)
 {
-	const struct raw_token *raw = raw_before(p, t->where, 1);
-	if (!raw || raw->kind != RAW_NAME)
+	const struct raw_token *raw = raw_before(p, where, 1);
+	if (!raw || raw->kind != RAW_NAME || (token != '(' && token != '['))
 		return false;
 	const struct name *name = &p->expand->names.list[raw->payload];
-	if (name->binding && name->binding->slot->kind == VALUE_ARRAY)
-		parser_note(p, t->where, "an element of an array is written %s[1]", name->text);
+	if (!name->binding)
+		return false;
+	const bool is_array = name->binding->slot->kind == VALUE_ARRAY;
+	if (token == '[' && !is_array)
+		parser_note(p, where, "'%s' is %s: only an array has elements", name->text,
+			token_words(value_terminal(name->binding->slot)));
+	else if (is_array)
+		parser_note(p, where, "an element of an array is written %s[1]", name->text);
 	else
-		parser_note(p, t->where, "'%s' is neither a macro nor a function", name->text);
+		parser_note(p, where, "'%s' is neither a macro nor a function", name->text);
+	note_declared(p, raw->payload);
 	return true;
 }
 
@@ -251,13 +257,19 @@ static bool note_behind_operand(struct parser *p, const struct run *run, const s
 	return true;
 }
 
+static bool is_string(struct parser *p, const struct raw_token *raw)
+{
+	const struct symbol *symbol =
+		raw && raw->kind == RAW_NAME ? p->expand->names.list[raw->payload].binding : NULL;
+	return (raw && raw->kind == RAW_STRING) || (symbol && symbol->slot->kind == VALUE_STRING);
+}
+
 /* Whether a string stands before or behind a '+'. A declaration is complete before it. */
 static bool joins_strings(struct parser *p, const struct queued *t, int before)
 {
 	const struct raw_token *last = raw_before(p, t->where, 1);
 	const struct raw_token *next = raw_behind(p, t->where, 1);
-	return before == T_STRING || (last && last->kind == RAW_STRING) ||
-	       (next && next->kind == RAW_STRING);
+	return before == T_STRING || is_string(p, last) || is_string(p, next);
 }
 
 static bool is_operator(int token)
@@ -303,8 +315,8 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 	else if (token == T_ARRAY)
 		parser_note(p, t->where, "an element of an array is written %s[1]",
 			token_name(&t->value));
-	else if (token == '(')
-		return note_call(p, t);
+	else if (token == '(' || token == '[')
+		return note_bracket(p, token, t->where);
 	else
 		return ends_operand(before) && note_behind_operand(p, run, t);
 	return true;
