@@ -22,6 +22,7 @@ static void camera_statement(struct lowering *l, const struct node *n)
 {
 	if (l->cameras++)
 		diag_warning(l->diag, n->word, "a second camera: the last one is used");
+	l->camera_word = n->word;
 	lower_camera(l, n);
 }
 
@@ -125,5 +126,7 @@ bool lower_end(struct lowering *l, const struct language_state *final)
 			l->scene->settings.working.transfer == TRANSFER_NONE
 				? "colours are left as they are, as before version 3.7"
 				: "1.0 is taken");
+	if (!diag_errors(l->diag))
+		lower_warn_of_darkness(l);
 	return diag_errors(l->diag) == 0;
 }

@@ -42,18 +42,21 @@ struct lowering {
 	size_t generator_count, generator_room;
 	bool for_questions; /* of the language about objects: keeps extents, and any ray sees all */
 	bool given_up;	    /* after too many errors */
-	bool has_uv_mapping;	      /* some texture met so far has it, within itself */
-	struct pointer_map drafts;    /* declared objects drafted already, by node */
-	struct pointer_map functions; /* compiled already, by struct function */
-	unsigned cameras;	      /* met so far */
-	span photons;		      /* the global setting; no place: there is none */
-	bool has_photons;	      /* an object met so far is a target, or a file has them */
-	const struct texture *default_texture;	      /* finished, for objects without one */
-	const struct defaults *default_of;	      /* the #default it was made of */
-	struct interior *plain_interior[2];	      /* of opaque objects: solid, hollow */
+	bool has_uv_mapping;		       /* some texture met so far has it, within itself */
+	struct pointer_map drafts;	       /* declared objects drafted already, by node */
+	struct pointer_map functions;	       /* compiled already, by struct function */
+	unsigned cameras;		       /* met so far */
+	const struct texture *default_texture; /* finished, for objects without one */
+	const struct defaults *default_of;     /* the #default it was made of */
+	struct interior *plain_interior[2];    /* of opaque objects: solid, hollow */
 	const struct finish *finishes[FINISHES_KEPT]; /* the latest ones built */
 	unsigned finish_next;
 	const struct shape_class *shapes[KEYWORD_COUNT]; /* found already */
+
+	span camera_word; /* of the last camera */
+	span photons;	  /* the global setting; no place: there is none */
+	bool has_photons; /* an object met so far is a target, or a file has them */
+	bool has_radiosity;
 };
 
 /* Begins to lower a text to a scene that is still empty. */
@@ -69,6 +72,8 @@ void lowering_release(struct lowering *);
 
 /* Brings what depends on the end of the text in line with a state of the language. */
 void lowering_settle(struct lowering *, const struct language_state *);
+/* At the end of the text, in a scene without errors: warns of what leaves the picture black. */
+void lower_warn_of_darkness(struct lowering *);
 /* At the end of the text: refuses photons if any would be shot. */
 void lower_photons_end(struct lowering *);
 /* The noise generator of the end of the text will be put there. */

@@ -72,6 +72,7 @@ void lower_setting(struct lowering *l, const struct node *item)
 		set_wave_count(l, item);
 		break;
 	case K_RADIOSITY:
+		l->has_radiosity = true;
 		if (s->quality >= 9)
 			lower_unsupported(l, item, "radiosity");
 		break;
