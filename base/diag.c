@@ -25,13 +25,22 @@ struct site {
 	const char *context;
 };
 
+/* What the scene needs and is not supported yet. */
+struct feature {
+	char *message; /* also its name */
+	span first;
+	unsigned places;
+};
+
 struct diag {
 	message_sink sink;
 	void *user;
 	struct source *sources;
 	struct site *sites;
 	size_t source_count, site_count, site_room;
-	unsigned errors;
+	struct feature *features;
+	size_t feature_count;
+	unsigned mistakes;
 	bool muted;
 	uint32_t last_site; /* of the last message: its notes need not say the way again */
 	bool dropped;	    /* the last error or warning was not shown: nor are its notes */
@@ -54,6 +63,9 @@ void diag_destroy(struct diag *d)
 		return;
 	for (int i = 0; i <= CHAIN_MAX; i++)
 		free(d->lines[i]);
+	for (size_t i = 0; i < d->feature_count; i++)
+		free(d->features[i].message);
+	free(d->features);
 	free(d->sources);
 	free(d->sites);
 	free(d->seen);
@@ -262,7 +274,7 @@ static void deliver(
 	d->dropped = d->muted || !first_time(d, where, text);
 	if (d->dropped)
 		return;
-	d->errors += severity == SEVERITY_ERROR;
+	d->mistakes += severity == SEVERITY_ERROR;
 	show(d, severity, where, text);
 }
 
@@ -301,6 +313,48 @@ void diag_note(struct diag *d, span where, const char *format, ...)
 	show(d, SEVERITY_NOTE, where, text);
 }
 
+/* -- What is not supported yet ------------------------------------------------------------ */
+
+static struct feature *find_feature(struct diag *d, const char *message)
+{
+	for (size_t i = 0; i < d->feature_count; i++)
+		if (!strcmp(d->features[i].message, message))
+			return &d->features[i];
+	return NULL;
+}
+
+static struct feature *add_feature(struct diag *d, const char *message, span first)
+{
+	const size_t size = strlen(message) + 1;
+	char *copy = memory_alloc(size, 1);
+	memcpy(copy, message, size);
+	d->features = memory_grow(d->features, d->feature_count + 1, sizeof *d->features);
+	d->features[d->feature_count] = (struct feature){ .message = copy, .first = first };
+	return &d->features[d->feature_count++];
+}
+
+void diag_unsupported(struct diag *d, span where, const char *what)
+{
+	char message[256];
+	snprintf(message, sizeof message, "not supported yet: %s", what);
+	if (d->muted || !first_time(d, where, message))
+		return;
+	struct feature *f = find_feature(d, message);
+	if (!f)
+		f = add_feature(d, message, where);
+	f->places++;
+}
+
+void diag_show_unsupported(struct diag *d)
+{
+	char text[320];
+	for (size_t i = 0; i < d->feature_count; i++) {
+		const struct feature *f = &d->features[i];
+		snprintf(text, sizeof text, "%s (the first of %u places)", f->message, f->places);
+		show(d, SEVERITY_ERROR, f->first, f->places > 1 ? text : f->message);
+	}
+}
+
 bool diag_mute(struct diag *d, bool muted)
 {
 	const bool before = d->muted;
@@ -310,5 +364,10 @@ bool diag_mute(struct diag *d, bool muted)
 
 unsigned diag_errors(const struct diag *d)
 {
-	return d->errors;
+	return d->mistakes + (unsigned)d->feature_count;
+}
+
+unsigned diag_mistakes(const struct diag *d)
+{
+	return d->mistakes;
 }

@@ -160,6 +160,7 @@ static void reading_begin(struct reading *r)
 
 static void reading_end(struct reading *r)
 {
+	diag_show_unsupported(r->diag);
 	arena_destroy(r->passing);
 	arena_destroy(r->arena);
 	diag_destroy(r->diag);

@@ -218,15 +218,20 @@ struct node *node_fit(struct parser *p, enum keyword keyword, span whole, span w
 	struct grammar *g = p->grammar;
 	const size_t count = g->arg_count - start;
 	const unsigned least = least_arguments(letters);
+	const char *const form = letters;
 	size_t i = 0;
 	for (; *letters && i < count; letters += is_optional(letters) ? 2 : 1)
 		check_argument(p, &g->args[start + i++], *letters);
-	if (i < count)
+	if (i < count) {
 		parser_error(p, g->args[start + i].span, "%s takes no further value",
 			keyword_name(keyword));
-	else if (count < least)
+		if (form[0] == 'v')
+			note_point(p, &g->args[start], count);
+	} else if (count < least) {
 		parser_error(p, word, "%s needs %u value%s, found %zu", keyword_name(keyword),
 			least, least == 1 ? "" : "s", count);
+		note_sign_in(p, start);
+	}
 	return node_args(p, keyword, whole, word, start);
 }
 

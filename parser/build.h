@@ -406,5 +406,18 @@ bool ends_operand(int token);
 /* hint.c: notes what would be right instead of the last token, if one can guess. `open`: the bracket it
  * stands in, or NULL. */
 bool note_hint(struct parser *, const struct run *, const struct opening *open);
+bool is_axis(enum keyword);
+bool is_colour_word(enum keyword);
+
+/* hint_values.c: notes that a '-' or '+' among the values was read as an operator, if it looks like a
+ * sign; of a span, and of the arguments from `start`. */
+void note_sign(struct parser *, span values);
+void note_sign_in(struct parser *, size_t start);
+/* Notes how a row of numbers, in which or behind which `where` stands, is written as a vector. */
+bool note_row(struct parser *, span where);
+/* The same where the first of too many arguments are three floats. */
+void note_point(struct parser *, const struct arg *args, size_t count);
+/* The first token behind an opening bracket of the present text, or NULL. */
+const struct raw_token *raw_inside(struct parser *, const struct opening *);
 
 #endif

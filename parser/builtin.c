@@ -25,6 +25,8 @@ bool arguments_fit(
 	const size_t wanted = found < least ? least : most;
 	parser_error(p, where, "%s needs %zu argument%s, found %zu", name, wanted,
 		wanted == 1 ? "" : "s", found);
+	if (found < least)
+		note_sign(p, where);
 	return false;
 }
 

@@ -60,6 +60,10 @@ static bool find_target(struct parser *p, bool local, struct target *t)
 	t->symbol = symbol_find(s, name);
 	const struct raw_token *raw = raw_peek(p);
 	const bool element = raw && raw->kind == '[';
+	if (element && name_is_lost(p, name)) {
+		parser_error_undeclared(p, t->where, s->names->list[name].text, is_declared, NULL);
+		return false;
+	}
 	if (element && (!t->symbol || t->symbol->slot->kind != VALUE_ARRAY)) {
 		parser_error(p, t->where, "'%s' is not an array", s->names->list[name].text);
 		return false;
@@ -136,7 +140,10 @@ static bool read_semicolon(struct parser *p, bool expression, span where)
 	}
 	parser_error(p, gap, "expected ';' behind the declared expression, found %s",
 		token_describe(p, token, &next));
-	note_operator(p, token, at);
+	if (token == T_NUMBER || token == T_SUM)
+		note_row(p, at);
+	else if (!note_bracket(p, token, at))
+		note_operator(p, token, at);
 	if (token == ',')
 		parser_note(p, at, "the decimal point is '.', and vectors are written <a, b, c>");
 	if (diag_place(p->diag, where).line != diag_place(p->diag, gap).line)
@@ -203,8 +210,9 @@ bool undef_run(struct parser *p, span where)
 		return false;
 	t.symbol = symbol_find(s, name);
 	if (!t.symbol) {
-		diag_warning(p->diag, t.where, "#undef of '%s', which is not declared",
-			s->names->list[name].text);
+		if (!name_is_lost(p, name))
+			diag_warning(p->diag, t.where, "#undef of '%s', which is not declared",
+				s->names->list[name].text);
 		return true;
 	}
 	t.slot = t.symbol->slot;

@@ -292,7 +292,12 @@ bool loop_again(struct parser *, span);
 bool macro_define(struct parser *, const struct directive *, span);
 bool macro_call(struct parser *, struct symbol *, span);
 
-/* undeclared.c: the include file whose name is most like this one, NULL if none is. */
+/* undeclared.c: whether a name would be declared had there been no error before: what it leads to is none
+ * of its own. */
+bool name_is_lost(const struct parser *, uint32_t id);
+/* Notes after an error where a name is declared, if that is certain. */
+void note_declared(struct parser *, uint32_t id);
+/* The include file whose name is most like this one, NULL if none is. */
 const char *include_nearest(struct parser *, const char *name);
 
 /* include.c */

@@ -52,13 +52,13 @@ bool is_object_modifier(enum keyword word)
 	}
 }
 
-static bool is_axis(enum keyword word)
+bool is_axis(enum keyword word)
 {
 	return word == K_X || word == K_Y || word == K_Z || word == K_T || word == K_U ||
 	       word == K_V;
 }
 
-static bool is_colour_word(enum keyword word)
+bool is_colour_word(enum keyword word)
 {
 	return word == K_COLOR || (word >= K_RGB && word <= K_RGBT) ||
 	       (word >= K_SRGB && word <= K_SRGBT);
@@ -112,10 +112,19 @@ static enum keyword home_of(enum keyword word)
 	}
 }
 
+/* Whether a colour may stand in the braces of a statement. */
+static bool takes_colour(enum keyword statement)
+{
+	return statement == K_LIGHT_SOURCE || statement == K_FOG || statement == K_BACKGROUND ||
+	       statement == K_FINISH;
+}
+
 static bool note_home(struct parser *p, const struct queued *t, const struct opening *open)
 {
 	const enum keyword home = home_of(t->value.keyword);
-	if (home == K_NONE || (open && open->token != '{') || (open && open->keyword == home))
+	if (home == K_NONE ||
+		(open && is_colour_word(t->value.keyword) && takes_colour(open->keyword)) ||
+		(open && open->token != '{') || (open && open->keyword == home))
 		return false;
 	parser_note(p, t->where, "%s belongs in %s { }", keyword_name(t->value.keyword),
 		keyword_name(home));
@@ -165,17 +174,23 @@ static bool note_vector(struct parser *p, const struct queued *t, const struct o
 	return true;
 }
 
-/* Parentheses behind a name that is not called. */
-static bool note_call(struct parser *p, const struct queued *t)
+bool note_bracket(struct parser *p, int token, span where)
 {
-	const struct raw_token *raw = raw_before(p, t->where, 1);
-	if (!raw || raw->kind != RAW_NAME)
+	const struct raw_token *raw = raw_before(p, where, 1);
+	if (!raw || raw->kind != RAW_NAME || (token != '(' && token != '['))
 		return false;
 	const struct name *name = &p->expand->names.list[raw->payload];
-	if (name->binding && name->binding->slot->kind == VALUE_ARRAY)
-		parser_note(p, t->where, "an element of an array is written %s[1]", name->text);
+	if (!name->binding)
+		return false;
+	const bool is_array = name->binding->slot->kind == VALUE_ARRAY;
+	if (token == '[' && !is_array)
+		parser_note(p, where, "'%s' is %s: only an array has elements", name->text,
+			token_words(value_terminal(name->binding->slot)));
+	else if (is_array)
+		parser_note(p, where, "an element of an array is written %s[1]", name->text);
 	else
-		parser_note(p, t->where, "'%s' is neither a macro nor a function", name->text);
+		parser_note(p, where, "'%s' is neither a macro nor a function", name->text);
+	note_declared(p, raw->payload);
 	return true;
 }
 
@@ -242,13 +257,19 @@ static bool note_behind_operand(struct parser *p, const struct run *run, const s
 	return true;
 }
 
+static bool is_string(struct parser *p, const struct raw_token *raw)
+{
+	const struct symbol *symbol =
+		raw && raw->kind == RAW_NAME ? p->expand->names.list[raw->payload].binding : NULL;
+	return (raw && raw->kind == RAW_STRING) || (symbol && symbol->slot->kind == VALUE_STRING);
+}
+
 /* Whether a string stands before or behind a '+'. A declaration is complete before it. */
 static bool joins_strings(struct parser *p, const struct queued *t, int before)
 {
 	const struct raw_token *last = raw_before(p, t->where, 1);
 	const struct raw_token *next = raw_behind(p, t->where, 1);
-	return before == T_STRING || (last && last->kind == RAW_STRING) ||
-	       (next && next->kind == RAW_STRING);
+	return before == T_STRING || is_string(p, last) || is_string(p, next);
 }
 
 static bool is_operator(int token)
@@ -281,8 +302,12 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 	else if (open && open->token == '(' && open->keyword == K_FUNCTION && word != K_NONE)
 		parser_note(p, t->where, "'%s' is a reserved word and cannot name a parameter",
 			keyword_name(word));
+	else if (token != '}' && ends_operand(before) && note_row(p, t->where))
+		return true;
 	else if (note_call_form(p, t, open) || note_axis(p, t) || note_comma(p, run, open))
 		return true;
+	else if (token == '}' && open && keyword_is_object(open->keyword))
+		note_sign(p, span_join(open->where, t->where));
 	else if (token == ',')
 		return note_vector(p, t, open);
 	else if (note_home(p, t, open))
@@ -290,8 +315,8 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 	else if (token == T_ARRAY)
 		parser_note(p, t->where, "an element of an array is written %s[1]",
 			token_name(&t->value));
-	else if (token == '(')
-		return note_call(p, t);
+	else if (token == '(' || token == '[')
+		return note_bracket(p, token, t->where);
 	else
 		return ends_operand(before) && note_behind_operand(p, run, t);
 	return true;

@@ -157,6 +157,14 @@ static bool is_constant(unsigned kind)
 	       kind == RAW_STRING;
 }
 
+/* Takes what stands before the closing parenthesis. */
+static void skip_subscripts(struct parser *p)
+{
+	const struct raw_token *raw;
+	for (int open = 0; (raw = raw_peek(p)) && (open || raw->kind != ')'); raw_take(p))
+		open += (raw->kind == '(') - (raw->kind == ')');
+}
+
 /* N or N[i]: whether it has a value, or is just getting its first one. */
 static bool read_defined(struct parser *p, bool *defined)
 {
@@ -176,6 +184,11 @@ static bool read_defined(struct parser *p, bool *defined)
 	span where;
 	if (!raw_name(p, "an identifier", &name, &where))
 		return false;
+	if (name_is_lost(p, name)) {
+		skip_subscripts(p);
+		*defined = true;
+		return true;
+	}
 	const struct symbol *symbol = symbol_find(&p->expand->symbols, name);
 	struct value *slot = symbol ? symbol->slot : NULL;
 	while (slot && slot->kind == VALUE_ARRAY && (raw = raw_peek(p)) && raw->kind == '[') {

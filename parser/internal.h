@@ -136,6 +136,10 @@ bool is_object_modifier(enum keyword);
  * parentheses in most places. False: it is none. */
 bool note_operator(struct parser *, int token, span where);
 
+/* Notes after an error at a '(' or '[' that the name before it is not one to be called, or has no
+ * elements. False: there is no name. */
+bool note_bracket(struct parser *, int token, span where);
+
 /* The span from the start of `first` to the end of `last`, if they come from the same text. */
 static inline span span_join(span first, span last)
 {

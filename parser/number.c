@@ -202,8 +202,10 @@ struct number number_literal(struct parser *p, size_t start, span where)
 	struct grammar *g = p->grammar;
 	const size_t count = g->arg_count - start;
 	struct number n = { .terms = (uint8_t)(count < 5 ? count : 5) };
-	if (count < 2 || count > 5)
+	if (count < 2 || count > 5) {
 		parser_error(p, where, "a vector has 2 to 5 components, found %zu", count);
+		note_sign(p, where);
+	}
 	for (unsigned i = 0; i < n.terms; i++)
 		n.v[i] = number_to_float(p, g->args[start + i].number, g->args[start + i].span);
 	g->arg_count = start;

@@ -104,6 +104,7 @@ static void gather(struct parser *p, const struct shape_form *form, size_t start
 	if ((double)found != wanted || (g->arg_count - start) % per) {
 		parser_error(p, word, "%s needs %g points, found %zu", keyword_name(form->keyword),
 			wanted, found);
+		note_sign_in(p, start);
 		g->arg_count = start;
 		return;
 	}
@@ -137,10 +138,12 @@ static void check_kinds(struct parser *p, const struct shape_form *form, size_t 
 		else if (arg->kind != ARG_STRING && wants && i != start)
 			parser_error(p, arg->span, "text needs a string here");
 		else if (arg->kind == ARG_NUMBER && arg->number.terms != 1 && i - start < letters &&
-			 form->letters[i - start] == 'f')
+			 form->letters[i - start] == 'f') {
 			parser_error(p, arg->span, "%s needs %s, which is a float, found a %s",
 				keyword_name(keyword), form->names[i - start],
 				arg->number.terms == 5 ? "colour" : "vector");
+			note_sign(p, span_join(g->args[start].span, arg->span));
+		}
 	}
 }
 
@@ -226,6 +229,7 @@ struct node *shape_node(
 			"text needs the word ttf before the name of a font file");
 	if (found < least) {
 		parser_error(p, word, "%s needs %s", keyword_name(keyword), form->names[found]);
+		note_sign_in(p, body.start);
 		g->arg_count = body.start + found;
 		node = node_args(p, keyword, whole, word, body.start);
 	} else if (form->tail) {
@@ -261,9 +265,11 @@ struct node *shape_coefficients(struct parser *p, enum keyword keyword, span who
 	}
 	const size_t wanted = (order + 1) * (order + 2) * (order + 3) / 6;
 	const size_t found = g->arg_count - first;
-	if (order && found != wanted)
+	if (order && found != wanted) {
 		parser_error(p, at, "%s needs %zu coefficients, found %zu", keyword_name(keyword),
 			wanted, found);
+		note_sign_in(p, first);
+	}
 	double *values = ARENA_ARRAY(p->tree, found + 1, double);
 	for (size_t i = 0; i < found; i++)
 		values[i] = number_to_float(p, g->args[first + i].number, g->args[first + i].span);

@@ -70,8 +70,10 @@ struct node *node_matrix(struct parser *p, span whole, span word, size_t start)
 	struct grammar *g = p->grammar;
 	const size_t found = g->arg_count - start;
 	double *values = ARENA_ARRAY(p->tree, 12, double);
-	if (found != 12)
+	if (found != 12) {
 		parser_error(p, word, "matrix needs 12 numbers, found %zu", found);
+		note_sign_in(p, start);
+	}
 	for (size_t i = 0; i < found && i < 12; i++)
 		values[i] = number_to_float(p, g->args[start + i].number, g->args[start + i].span);
 	g->arg_count = start;

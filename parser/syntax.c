@@ -177,16 +177,27 @@ static bool takes_vectors(enum keyword word)
 	       word == K_VSTR || word == K_TRACE || word == K_INSIDE;
 }
 
+static const char *number_words(enum keyword word, bool function)
+{
+	return function && !takes_vectors(word) ? "a number" : "a number or a vector";
+}
+
 /* The kind of value that must stand here, behind a word or, if so, in the brackets of a function.
  * NULL: another thing, or more than one. */
 static const char *kind_wanted(const struct wanted *w, enum keyword word, bool function)
 {
-	const bool number = wanted_token(w, T_NUMBER), string = wanted_token(w, T_STRING);
-	if (number == string)
-		return NULL;
-	return string				  ? "a string"
-	       : function && !takes_vectors(word) ? "a number"
-						  : "a number or a vector";
+	/* Where a number may stand so may a string, but only to be compared. */
+	if (!wanted_token(w, T_NUMBER))
+		return wanted_token(w, T_STRING) ? "a string" : NULL;
+	return number_words(word, function);
+}
+
+/* Where what was found has its name from. */
+static void note_symbol(struct parser *p, const struct queued *t)
+{
+	const char *name = t->token == T_UNDECLARED ? NULL : token_name(&t->value);
+	if (name && t->value.symbol)
+		note_declared(p, names_intern(&p->expand->names, name, strlen(name)));
 }
 
 /* The word whose argument the token would be. */
@@ -208,22 +219,64 @@ static bool report_kind(
 		return false;
 	const bool function = word != run->word_before;
 	const char *kind = kind_wanted(w, word, function);
-	/* Only a comparison could follow: a string was read as the argument. */
-	if (wanted_token(w, T_LE) && !wanted_token(w, '+') && is_closing(token)) {
-		parser_error(p, run->where_before, "%s needs a number, found a string",
-			keyword_name(word));
-		return true;
-	}
 	const bool empty = token == ')' && (run->token_before == '(' || run->token_before == ',');
 	const bool sign =
 		(token == '+' || token == '-' || token == '!') && !ends_operand(run->token_before);
 	const bool closes = token == '}' && !function;
-	if (!kind && empty && run->token_before == '(' && wanted_token(w, T_NUMBER))
-		kind = "a value";
 	if (!kind || (!empty && !sign && !closes && token != '(' && token != '<' && token < 127))
 		return false;
 	parser_error(p, t->where, "%s needs %s, found %s", keyword_name(word), kind,
 		empty ? "nothing" : found_phrase(p, run, t));
+	if (token == T_ARRAY)
+		parser_note(p, t->where, "an element of an array is written %s[1]",
+			token_name(&t->value));
+	note_symbol(p, t);
+	return true;
+}
+
+/* A string that was read in the place of a number, since a comparison could have followed. */
+static bool report_string(
+	struct parser *p, const struct run *run, const struct opening *open, const struct wanted *w)
+{
+	const int token = run->last->token;
+	const bool in_parentheses = open && open->token == '(';
+	if (run->token_before != T_STRING || !wanted_token(w, T_LE) || wanted_token(w, '+') ||
+		token == '+' || token == '.' || (in_parentheses && open->keyword == K_NONE))
+		return false;
+	const span where = run->where_before;
+	const struct raw_token *raw = raw_before(p, where, 0), *before = raw_before(p, where, 1);
+	const bool named = raw && raw->kind == RAW_NAME;
+	const char *string = named ? arena_printf(p->arena, "string '%s'",
+					     p->expand->names.list[raw->payload].text)
+				   : "string";
+	const enum keyword word = before && before->kind == RAW_KEYWORD
+					  ? (enum keyword)before->payload
+				  : in_parentheses ? open->keyword
+						   : K_NONE;
+	if (word == K_NONE && !open)
+		return false;
+	if (word != K_NONE)
+		parser_error(p, where, "%s needs %s, found a %s", keyword_name(word),
+			number_words(word, in_parentheses && word == open->keyword), string);
+	else
+		parser_error(p, where, "unexpected %s in %s", string, keyword_name(open->keyword));
+	if (named)
+		note_declared(p, raw->payload);
+	return true;
+}
+
+/* The name of a function or a spline of the scene without its parentheses. */
+static bool report_uncalled(struct parser *p, const struct run *run, const struct wanted *w)
+{
+	const int before = run->token_before;
+	const struct raw_token *raw = raw_before(p, run->where_before, 0);
+	if ((before != T_FUNCTION && before != T_VECTOR_FUNCTION && before != T_SPLINE) ||
+		!wanted_token(w, '(') || !raw || raw->kind != RAW_NAME)
+		return false;
+	const char *name = p->expand->names.list[raw->payload].text;
+	parser_error(p, run->where_before, "'%s' is %s: its value is written %s(...)", name,
+		token_words(before), name);
+	note_declared(p, raw->payload);
 	return true;
 }
 
@@ -312,12 +365,9 @@ static bool report_identifier(struct parser *p, const struct run *run, const str
 		return false;
 	parser_error(p, t->where, "'%s' is %s, which %s does not take here", name,
 		kind_of_identifier(p, t->token), keyword_name(open->keyword));
-	if (t->token == T_OBJECT)
-		parser_note(p, t->where, "write object { %s }", name);
+	note_symbol(p, t);
 	return true;
 }
-
-/* -- The report --------------------------------------------------------------------------- */
 
 /* Shows the block that the token stands in, which may lack its brace, unless one sees it anyway. */
 static void note_block(struct parser *p, const struct opening *open, span where)
@@ -327,6 +377,68 @@ static void note_block(struct parser *p, const struct opening *open, span where)
 		parser_note(p, open->word, "%s is opened here; is its '}' missing?",
 			keyword_name(open->keyword));
 }
+
+/* What a statement is put together of; NULL: not of objects. */
+static const char *members_of(enum keyword statement)
+{
+	return is_csg(statement) || statement == K_CLIPPED_BY || statement == K_BOUNDED_BY
+		       ? "objects"
+	       : statement == K_MESH ? "triangles"
+	       : statement == K_BLOB ? "components"
+				     : NULL;
+}
+
+/* The name of an object with which a statement begins, of which it is a copy then; NULL: another thing. */
+static const struct raw_token *copied_name(struct parser *p, const struct opening *open)
+{
+	const struct raw_token *raw = raw_inside(p, open);
+	const struct symbol *symbol =
+		raw && raw->kind == RAW_NAME ? p->expand->names.list[raw->payload].binding : NULL;
+	return symbol && value_terminal(symbol->slot) == T_OBJECT ? raw : NULL;
+}
+
+/* Whether a token begins what a statement is put together of. */
+static bool is_member(enum keyword statement, const struct queued *t)
+{
+	const enum keyword word = t->value.keyword;
+	if (statement == K_MESH)
+		return word == K_TRIANGLE || word == K_SMOOTH_TRIANGLE;
+	if (statement == K_BLOB)
+		return word == K_SPHERE || word == K_CYLINDER;
+	return t->token == T_OBJECT || keyword_is_object(word);
+}
+
+/* An object behind what changes the objects before it, or behind the only one. */
+static bool report_late_object(struct parser *p, const struct run *run, const struct opening *open)
+{
+	const struct queued *t = run->last;
+	if (!open || open->token != '{' || !is_member(open->keyword, t))
+		return false;
+	const char *members = members_of(open->keyword), *in = keyword_name(open->keyword);
+	const char *found = found_words(p, run, t);
+	const struct raw_token *copied = members ? copied_name(p, open) : NULL;
+	if (copied) {
+		const char *name = p->expand->names.list[copied->payload].text;
+		parser_error(p, t->where, "unexpected %s in %s", found, in);
+		parser_note(p, raw_span_at(p, copied),
+			"a name alone makes a copy; among other objects write object { %s }", name);
+	} else if (members) {
+		parser_error(p, t->where,
+			"unexpected %s in %s: its %s stand before the first texture or "
+			"transformation",
+			found, in, members);
+	} else if (open->keyword == K_OBJECT && run->token_before != '{') {
+		parser_error(p, t->where,
+			"unexpected %s in object: it has a single object; a union has several",
+			found);
+	} else {
+		return false;
+	}
+	note_block(p, open, t->where);
+	return true;
+}
+
+/* -- The report --------------------------------------------------------------------------- */
 
 /* The beginning of an open vector, on another line. */
 static void note_vector_start(struct parser *p, span where)
@@ -407,6 +519,7 @@ static void report_unexpected(
 	else
 		parser_error(p, where, "unexpected %s%s%s%s", found, context_words(p, run, open),
 			expected ? ": expected " : "", expected ? expected : "");
+	note_symbol(p, t);
 	if (in_vector && ends_operand(run->token_before))
 		note_operator(p, t->token, t->where);
 	if (in_vector)
@@ -429,9 +542,11 @@ void syntax_error(struct parser *p, struct run *run, const struct wanted *w)
 		report_name(p, run, open, w);
 	else if (t->token == 0 && open)
 		report_open(p, open, t->where);
-	else if (!report_in_function(p, run, w) && !report_kind(p, run, open, w) &&
+	else if (!report_in_function(p, run, w) && !report_string(p, run, open, w) &&
+		 !report_uncalled(p, run, w) && !report_kind(p, run, open, w) &&
 		 !report_empty_call(p, run, w) && !report_short_list(p, run, open, w) &&
-		 !report_stray(p, run, open) && !report_identifier(p, run, open))
+		 !report_stray(p, run, open) && !report_late_object(p, run, open) &&
+		 !report_identifier(p, run, open))
 		report_unexpected(p, run, open, w);
 	/* What it would have opened cannot be told from what follows. */
 	if (!open && directive_opens(t->value.keyword))

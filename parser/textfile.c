@@ -174,6 +174,11 @@ static struct symbol *read_handle(struct parser *p, bool to_read)
 	if (!expect(p, '(', "'('"))
 		return NULL;
 	const int token = expand_next(p, &v, &where);
+	if (token == T_UNDECLARED &&
+		name_is_lost(p, names_intern(&p->expand->names, v.name, strlen(v.name)))) {
+		parser_error_undeclared(p, where, v.name, is_declared, NULL);
+		return NULL;
+	}
 	if (token != T_FILE) {
 		parser_error(
 			p, where, "expected an open file, found %s", token_describe(p, token, &v));

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What to say of a word that names nothing: the include file that would declare
- * it, its declaration further down, or the nearest known name.
+ * it, its declaration further down, or the nearest known name. Also where a word
+ * that names the wrong thing was declared.
  *
  * Include files are looked through only now, when the scene is wrong anyway: those
  * of the folders that #include searches.
@@ -90,11 +91,12 @@ static bool is(const char *word, size_t length, const char *text)
 }
 
 /* The name behind a declaring directive, behind whose '#' the reader stands; NULL: it is another. */
-static const char *declared_name(struct reader *r, size_t *length)
+static const char *declared_name(struct reader *r, bool locals, size_t *length)
 {
 	const char *word;
 	*length = take_word(r, &word);
-	if (!is(word, *length, "declare") && !is(word, *length, "macro"))
+	if (!is(word, *length, "declare") && !is(word, *length, "macro") &&
+		!(locals && is(word, *length, "local")))
 		return NULL;
 	do
 		*length = take_word(r, &word);
@@ -102,19 +104,47 @@ static const char *declared_name(struct reader *r, size_t *length)
 	return word;
 }
 
-/* Where a text first declares the name; NULL: nowhere. */
-static const char *find_declaration(const char *text, size_t size, const char *name)
+/* Where a text first declares the name, be it by #local, if that counts; NULL: nowhere. */
+static const char *find_declaration(const char *text, size_t size, const char *name, bool locals)
 {
 	struct reader r = { text, text + size };
 	while (skip_between(&r), r.at < r.end) {
 		if (*r.at++ != '#')
 			continue;
 		size_t length;
-		const char *word = declared_name(&r, &length);
+		const char *word = declared_name(&r, locals, &length);
 		if (word && is(word, length, name))
 			return word;
 	}
 	return NULL;
+}
+
+/* Where the texts read so far declare a name, if only one place does; else no place. */
+static span find_only_declaration(const struct parser *p, const char *name)
+{
+	span found = NO_SPAN;
+	for (const struct source *s = p->expand->sources; s; s = s->previous) {
+		const char *const end = s->bytes + s->size;
+		for (const char *at = s->bytes;
+			(at = find_declaration(at, (size_t)(end - at), name, true)) != NULL;) {
+			if (found.source)
+				return NO_SPAN;
+			found = (span){ s->number, (uint32_t)(at - s->bytes),
+				(uint32_t)strlen(name), 0 };
+		}
+	}
+	return found;
+}
+
+void note_declared(struct parser *p, uint32_t id)
+{
+	enum { MAIN_FILE = SYMBOL_GLOBAL + 1 }; /* what is above may be a parameter of a macro */
+	const struct name *name = &p->expand->names.list[id];
+	if (!p->error_shown || !name->binding || name->binding->table > MAIN_FILE)
+		return;
+	const span where = find_only_declaration(p, name->text);
+	if (where.source)
+		parser_note(p, where, "'%s' is declared here", name->text);
 }
 
 /* -- Include files ------------------------------------------------------------------------ */
@@ -189,7 +219,7 @@ static const char *find_in_folder(struct parser *p, const char *folder, const ch
 		if (!text)
 			continue;
 		bytes += size;
-		const bool found = find_declaration(text, size, name);
+		const bool found = find_declaration(text, size, name, false);
 		free(text);
 		if (found)
 			return files[i];
@@ -234,7 +264,7 @@ const char *include_nearest(struct parser *p, const char *name)
 static span find_later(const struct parser *p, span where, const char *name)
 {
 	const struct source *s = source_at(p->expand, where);
-	const char *at = s ? find_declaration(s->bytes, s->size, name) : NULL;
+	const char *at = s ? find_declaration(s->bytes, s->size, name, false) : NULL;
 	const size_t offset = at ? (size_t)(at - s->bytes) : 0;
 	return offset > where.offset
 		       ? (span){ s->number, (uint32_t)offset, (uint32_t)strlen(name), where.site }
@@ -311,12 +341,19 @@ static void say(
 		nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
 }
 
+bool name_is_lost(const struct parser *p, uint32_t id)
+{
+	const struct name *known = &p->expand->names.list[id];
+	return known->lost && !known->binding && diag_errors(p->diag);
+}
+
 void parser_error_undeclared(
 	struct parser *p, span where, const char *name, name_test *test, const void *context)
 {
 	struct names *names = &p->expand->names;
-	const struct name *known = &names->list[names_intern(names, name, strlen(name))];
-	if (known->lost && p->error_count)
+	const uint32_t id = names_intern(names, name, strlen(name));
+	const struct name *known = &names->list[id];
+	if (name_is_lost(p, id))
 		p->failed = true;
 	if (known->binding && known->binding->entered)
 		parser_error(p, where, "'%s' is used in its own declaration", name);

@@ -124,6 +124,8 @@ static void fill(struct parser *p, struct array *a, unsigned d, size_t at,
 	if (elements->count != a->size[d]) {
 		parser_error(p, where, "the array has %zu elements here, but %zu are given",
 			a->size[d], elements->count);
+		if (elements->count < a->size[d])
+			note_sign(p, where);
 		return;
 	}
 	for (size_t i = 0; i < elements->count && !p->failed; i++) {

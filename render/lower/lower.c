@@ -22,6 +22,7 @@ static void camera_statement(struct lowering *l, const struct node *n)
 {
 	if (l->cameras++)
 		diag_warning(l->diag, n->word, "a second camera: the last one is used");
+	l->camera_word = n->word;
 	lower_camera(l, n);
 }
 
@@ -104,7 +105,7 @@ void lower_statements(struct lowering *l, const struct node *first)
 	for (const struct node *n = first; n && !l->given_up; n = n->next) {
 		statement(l, n);
 		lowering_forget(l);
-		l->given_up = diag_errors(l->diag) >= ERRORS_MAX;
+		l->given_up = diag_mistakes(l->diag) >= ERRORS_MAX;
 		if (l->given_up)
 			diag_note(l->diag, n->span, "too many errors: stopped here");
 	}
@@ -117,12 +118,15 @@ bool lower_end(struct lowering *l, const struct language_state *final)
 	if (!l->cameras)
 		lower_default_camera(l, final->defaults);
 	lowering_settle(l, final);
-	if (!l->scene->object_count)
+	lower_photons_end(l);
+	if (!l->scene->object_count && !diag_errors(l->diag)) /* else they may have been refused */
 		diag_warning(l->diag, NO_SPAN, "the scene has no objects");
 	if (final->assumed_gamma == 0)
 		diag_warning(l->diag, NO_SPAN, "the scene has no assumed_gamma: %s",
 			l->scene->settings.working.transfer == TRANSFER_NONE
 				? "colours are left as they are, as before version 3.7"
 				: "1.0 is taken");
+	if (!diag_errors(l->diag))
+		lower_warn_of_darkness(l);
 	return diag_errors(l->diag) == 0;
 }

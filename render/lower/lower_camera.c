@@ -267,9 +267,19 @@ void lower_camera(struct lowering *l, const struct node *n)
 	place_camera(l, n, &c);
 }
 
+static bool has_camera(const struct defaults *d)
+{
+	while (d && d->node->keyword != K_CAMERA)
+		d = d->previous;
+	return d != NULL;
+}
+
 /* Of a scene without a camera. */
 void lower_default_camera(struct lowering *l, const struct defaults *defaults)
 {
+	if (!has_camera(defaults) && l->scene->object_count && !diag_errors(l->diag))
+		diag_warning(l->diag, NO_SPAN,
+			"the scene has no camera: it is seen from the origin, towards z");
 	struct camera_items c = camera_defaults;
 	read_defaults(l, defaults, &c);
 	place_camera(l, NULL, &c);

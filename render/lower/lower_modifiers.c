@@ -157,7 +157,6 @@ static bool has_no_effect(const struct node *item)
 	switch (item->keyword) {
 	case K_NO_RADIOSITY:
 	case K_RADIOSITY:
-	case K_PHOTONS:
 	case K_HIERARCHY:
 	case K_DTAG:
 	case K_COLOUR_VALUE:
@@ -238,6 +237,9 @@ void draft_modify(struct lowering *l, struct draft *d, const struct node *item)
 	case K_CLIPPED_BY:
 	case K_BOUNDED_BY:
 		add_cutters(l, d, n);
+		return;
+	case K_PHOTONS: /* of an object; those of a lamp only steer what is shot at targets */
+		l->has_photons |= node_child(n, K_TARGET) != NULL;
 		return;
 	default:
 		break;

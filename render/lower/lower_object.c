@@ -13,50 +13,9 @@ static bool is_csg_keyword(enum keyword k)
 	       k == K_COMPOSITE;
 }
 
-/* Every shape of the language, also those that are refused. Asked of each item: no search by name. */
-static bool is_primitive(enum keyword k)
-{
-	switch (k) {
-	case K_BICUBIC_PATCH:
-	case K_BLOB:
-	case K_BOX:
-	case K_CONE:
-	case K_CUBIC:
-	case K_CYLINDER:
-	case K_DISC:
-	case K_HEIGHT_FIELD:
-	case K_ISOSURFACE:
-	case K_JULIA_FRACTAL:
-	case K_LATHE:
-	case K_MESH:
-	case K_MESH2:
-	case K_OVUS:
-	case K_PARAMETRIC:
-	case K_PLANE:
-	case K_POLY:
-	case K_POLYGON:
-	case K_POLYNOMIAL:
-	case K_PRISM:
-	case K_QUADRIC:
-	case K_QUARTIC:
-	case K_SMOOTH_TRIANGLE:
-	case K_SOR:
-	case K_SPHERE:
-	case K_SPHERE_SWEEP:
-	case K_SUPERELLIPSOID:
-	case K_TORUS:
-	case K_TRIANGLE:
-		return true;
-	default:
-		return false;
-	}
-}
-
 bool node_is_object(const struct node *item)
 {
-	const enum keyword k = node_resolve(item)->keyword;
-	return is_csg_keyword(k) || k == K_OBJECT || k == K_TEXT || k == K_LIGHT_SOURCE ||
-	       k == K_LIGHT_GROUP || is_primitive(k);
+	return keyword_is_object(node_resolve(item)->keyword);
 }
 
 static struct draft *draft_create(struct lowering *l, enum draft_kind kind, const struct node *n)

@@ -72,12 +72,13 @@ void lower_setting(struct lowering *l, const struct node *item)
 		set_wave_count(l, item);
 		break;
 	case K_RADIOSITY:
+		l->has_radiosity = true;
 		if (s->quality >= 9)
 			lower_unsupported(l, item, "radiosity");
 		break;
 	case K_PHOTONS:
-		if (s->quality >= 9)
-			lower_unsupported(l, item, "photons");
+		l->photons = item->word;
+		l->has_photons |= node_child(item, K_LOAD_FILE) || node_child(item, K_SAVE_FILE);
 		break;
 	default:
 		if (!is_read_elsewhere(item->keyword))
@@ -137,6 +138,13 @@ static void settle_waves(struct lowering *l)
 	if (l->wave_sources && !l->wave_sources->items)
 		*l->wave_sources = wave_sources_make(
 			l->arena, count >= 1 ? count < 1e6 ? (size_t)count : 1000000 : 1);
+}
+
+/* Photons are shot at targets only: without one, or a file of them, the setting changes nothing. */
+void lower_photons_end(struct lowering *l)
+{
+	if (l->photons.source && l->has_photons && l->scene->settings.quality >= 9)
+		diag_unsupported(l->diag, l->photons, "photons");
 }
 
 void lowering_settle(struct lowering *l, const struct language_state *final)

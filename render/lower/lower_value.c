@@ -160,5 +160,5 @@ transform lower_transform(struct lowering *l, const struct node *item)
 
 void lower_unsupported(struct lowering *l, const struct node *n, const char *what)
 {
-	diag_error(l->diag, n->word, "not supported yet: %s", what);
+	diag_unsupported(l->diag, n->word, what);
 }

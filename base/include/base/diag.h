@@ -66,12 +66,18 @@ void diag_scene_warning(struct diag *, span where, const char *text);
 void diag_note(struct diag *, span where, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 
+/* The scene needs what is not supported yet. That is one error however many places need it: it counts
+ * at once, and diag_show_unsupported shows it with the first place and their number. */
+void diag_unsupported(struct diag *, span where, const char *what);
+void diag_show_unsupported(struct diag *);
+
 /* Whether reports are dropped from now on: while something that was reported is done again. Returns what
  * held before. */
 bool diag_mute(struct diag *, bool);
 
-/* Errors shown so far. */
+/* Errors so far: all, and those that are mistakes of the scene, not of what it needs. */
 unsigned diag_errors(const struct diag *);
+unsigned diag_mistakes(const struct diag *);
 
 /* Fills `file`, `line`, `column`, `text` of a place; strings valid until the next call. */
 struct place diag_place(struct diag *, span);

@@ -45,6 +45,8 @@ enum keyword {
 
 /* The word of a keyword, or a name for the others ("reference"). */
 const char *keyword_name(enum keyword);
+/* Whether it begins an object, which may be a light. */
+bool keyword_is_object(enum keyword);
 
 /* 1 to 5 terms. `leftover`: the value came from selecting a component, and v[1] to v[4] still
  * hold that vector's components (the language shows them where a vector is wanted). */

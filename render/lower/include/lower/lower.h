@@ -52,6 +52,11 @@ struct lowering {
 	const struct finish *finishes[FINISHES_KEPT]; /* the latest ones built */
 	unsigned finish_next;
 	const struct shape_class *shapes[KEYWORD_COUNT]; /* found already */
+
+	span camera_word; /* of the last camera */
+	span photons;	  /* the global setting; no place: there is none */
+	bool has_photons; /* an object met so far is a target, or a file has them */
+	bool has_radiosity;
 };
 
 /* Begins to lower a text to a scene that is still empty. */
@@ -67,6 +72,10 @@ void lowering_release(struct lowering *);
 
 /* Brings what depends on the end of the text in line with a state of the language. */
 void lowering_settle(struct lowering *, const struct language_state *);
+/* At the end of the text, in a scene without errors: warns of what leaves the picture black. */
+void lower_warn_of_darkness(struct lowering *);
+/* At the end of the text: refuses photons if any would be shot. */
+void lower_photons_end(struct lowering *);
 /* The noise generator of the end of the text will be put there. */
 void lower_late_generator(struct lowering *, int *generator);
 /* At the end of a statement: its drafts and states are not needed any more. */
