@@ -50,12 +50,12 @@ void frames_init(struct frames *f, const struct options *o)
 	/* An animation of one frame stands still; POV-Ray divides by zero here. */
 	if (f->final > f->initial)
 		f->clock_delta =
-			(o->final_clock - o->initial_clock) / (float)(f->final - f->initial);
+			(double)(o->final_clock - o->initial_clock) / (f->final - f->initial);
 }
 
 float frames_clock(const struct frames *f, const struct options *o, int frame)
 {
 	if (!f->is_animation)
 		return o->clock;
-	return o->initial_clock + f->clock_delta * (float)(frame - f->initial);
+	return (float)((double)o->initial_clock + f->clock_delta * (frame - f->initial));
 }

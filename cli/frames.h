@@ -9,12 +9,12 @@ struct frames {
 	bool is_animation;
 	int initial, final; /* as the scene sees them; 0 in a still picture */
 	int first, last, step;
-	int digits; /* of the number in the file name; 0: none */
-	float clock_delta;
+	int digits;	    /* of the number in the file name; 0: none */
+	double clock_delta; /* rounded once, with the clock */
 };
 
 void frames_init(struct frames *, const struct options *);
-/* The clock of a frame, in single precision. */
+/* The clock of a frame: worked out in double, rounded to single precision once. */
 float frames_clock(const struct frames *, const struct options *, int frame);
 
 #endif

@@ -82,9 +82,10 @@ static char *label_of(char *line)
 	return line + 1;
 }
 
+/* With `section` the lines of that section as well. */
 static bool read_lines(struct options *o, char *text, const char *section)
 {
-	bool applies = true;
+	bool applies = true, found = !section;
 	while (*text) {
 		char *line = next_line(&text);
 		o->place.line++;
@@ -93,7 +94,10 @@ static bool read_lines(struct options *o, char *text, const char *section)
 			applies = section && strcasecmp(label, section) == 0;
 		else if (applies && !switches_read(o, line, true))
 			return false;
+		found = found || (label && applies);
 	}
+	if (!found)
+		option_warning(o, "there is no section [%s] in this file", section);
 	return true;
 }
 
@@ -101,9 +105,12 @@ static bool read_file(struct options *o, const char *path, const char *section)
 {
 	if (o->ini_depth == DEPTH_MAX)
 		return option_error(o, "INI files are nested more than %d deep", DEPTH_MAX);
-	char *text = text_of_file(&o->pool, path);
+	size_t size;
+	char *text = text_of_file(&o->pool, path, &size);
 	if (!text)
 		return option_error(o, "the INI file %s cannot be read: %s", path, strerror(errno));
+	if (strlen(text) != size)
+		return option_error(o, "%s is no INI file: it is not text", path);
 	const struct option_place before = o->place;
 	o->place = (struct option_place){ .file = path };
 	o->ini_depth++;

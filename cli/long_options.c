@@ -3,6 +3,7 @@
  * lambert's own options: --name, --name=value or --name value, and -o file. Most
  * are another spelling of a POV-Ray option and go through its row of the table.
  */
+#include "nearest.h"
 #include "options.h"
 
 #include <ctype.h>
@@ -20,71 +21,48 @@ struct long_option {
 	bool (*apply)(struct options *, const char *value); /* value NULL: none given */
 };
 
-static bool set(struct options *o, const char *ini, const char *value)
-{
-	return option_apply(o, option_find(ini, strlen(ini)), value, false, '+');
-}
-
 static bool apply_output(struct options *o, const char *value)
 {
 	if (!*value)
 		return option_error(o, "the name of the picture is empty");
-	o->output_is_exact = true;
-	return set(o, "Output_File_Name", value) && set(o, "Output_To_File", "on");
+	return option_set(o, "Exact_Output_Name", "on") &&
+	       option_set(o, "Output_File_Name", value) && option_set(o, "Output_To_File", "on");
 }
 
 static bool apply_size(struct options *o, const char *value)
 {
-	int end = 0;
-	if (sscanf(value, "%d%*1[xX]%d%n", &o->width, &o->height, &end) != 2 || value[end] ||
-		o->width < 1 || o->height < 1)
+	const size_t width = strspn(value, "0123456789");
+	const char *height = value + width + 1;
+	if (strspn(value, "0") == width || !value[width] || !strchr("xX", value[width]) ||
+		!height[strspn(height, "0")] || height[strspn(height, "0123456789")])
 		return option_error(o, "a size is like 640x480, not \"%s\"", value);
-	char width[16], height[16];
-	snprintf(width, sizeof width, "%d", o->width);
-	snprintf(height, sizeof height, "%d", o->height);
-	return set(o, "Width", width) && set(o, "Height", height);
-}
-
-static bool apply_region(struct options *o, const char *value)
-{
-	int *r = o->region, end = 0;
-	if (sscanf(value, "%d,%d,%d,%d%n", &r[0], &r[1], &r[2], &r[3], &end) != 4 || value[end])
-		return option_error(o,
-			"a region is LEFT,TOP,RIGHT,BOTTOM in pixels from 0, right and bottom one "
-			"past the last, not \"%s\"",
-			value);
-	o->has_region = true;
-	return true;
+	return option_set(o, "Width", text_copy(&o->pool, value, width)) &&
+	       option_set(o, "Height", height);
 }
 
 /* METHOD[:THRESHOLD[:DEPTH]] */
 static bool apply_antialias(struct options *o, const char *value)
 {
-	o->antialias = true;
-	if (!value)
-		return true;
-	int method = 0, depth = 3, end = 0;
-	float threshold = 0.3f;
-	const int n =
-		sscanf(value, "%d%n:%f%n:%d%n", &method, &end, &threshold, &end, &depth, &end);
-	if (n < 1 || value[end] || method < 0 || method > 2)
-		return option_error(o,
-			"antialiasing is METHOD[:THRESHOLD[:DEPTH]], method 1 or 2, like 2:0.1:4, "
-			"not "
-			"\"%s\"",
-			value);
-	o->sampling_method = method;
-	if (n > 1)
-		o->antialias_threshold = threshold;
-	if (n > 2)
-		o->antialias_depth = depth;
-	return true;
+	static const char *const names[] = { "Sampling_Method", "Antialias_Threshold",
+		"Antialias_Depth" };
+	const char *part = value;
+	for (size_t i = 0; part; i++) {
+		const size_t length = strcspn(part, ":");
+		if (i == 3 || !length || strspn(part, "0123456789.") != length)
+			return option_error(o,
+				"antialiasing is METHOD[:THRESHOLD[:DEPTH]], method 1 or 2, like "
+				"2:0.1:4, not \"%s\"",
+				value);
+		if (!option_set(o, names[i], text_copy(&o->pool, part, length)))
+			return false;
+		part = part[length] ? part + length + 1 : NULL;
+	}
+	return option_set(o, "Antialias", "on");
 }
 
 static bool apply_jitter(struct options *o, const char *value)
 {
-	o->jitter = true;
-	return set(o, "Jitter_Amount", value);
+	return option_set(o, "Jitter", "on") && option_set(o, "Jitter_Amount", value);
 }
 
 static bool apply_format(struct options *o, const char *value)
@@ -105,71 +83,14 @@ static bool apply_format(struct options *o, const char *value)
 	};
 	for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
 		if (strcasecmp(value, formats[i].name) == 0)
-			return set(o, "Output_File_Type", formats[i].letter);
+			return option_set(o, "Output_File_Type", formats[i].letter);
 	return option_error(o,
 		"the formats are png, ppm, tga, bmp, jpeg, exr, hdr and tiff, not \"%s\"", value);
 }
 
 static bool apply_dither(struct options *o, const char *value)
 {
-	o->dither = true;
-	return set(o, "Dither", "on") && (!value || set(o, "Dither_Method", value));
-}
-
-static bool apply_progress(struct options *o, const char *value)
-{
-	if (strcmp(value, "bar") != 0 && strcmp(value, "lines") != 0 && strcmp(value, "off") != 0)
-		return option_error(o, "progress is shown as bar, lines or off, not \"%s\"", value);
-	o->progress = value;
-	return true;
-}
-
-static bool apply_stats(struct options *o, const char *value)
-{
-	o->stats_file = value;
-	return true;
-}
-
-static bool apply_quiet(struct options *o, const char *value)
-{
-	(void)value;
-	o->quiet = true;
-	return true;
-}
-
-static bool apply_json(struct options *o, const char *value)
-{
-	(void)value;
-	o->json = true;
-	return true;
-}
-
-static bool apply_no_file_io(struct options *o, const char *value)
-{
-	(void)value;
-	o->no_file_io = true;
-	return true;
-}
-
-static bool apply_allow_read(struct options *o, const char *value)
-{
-	text_list_add(&o->pool, &o->read_paths, value);
-	return true;
-}
-
-static bool apply_allow_write(struct options *o, const char *value)
-{
-	text_list_add(&o->pool, &o->write_paths, value);
-	return true;
-}
-
-static bool apply_loop_limit(struct options *o, const char *value)
-{
-	char *end;
-	o->loop_limit = strtod(value, &end);
-	if (end == value || *end || !(o->loop_limit >= 0))
-		return option_error(o, "--loop-limit takes a number of tokens, not \"%s\"", value);
-	return true;
+	return option_set(o, "Dither", "on") && (!value || option_set(o, "Dither_Method", value));
 }
 
 /* A number, or a text without quotes of its own: the shell has taken them. */
@@ -178,15 +99,15 @@ static bool apply_declare(struct options *o, const char *value)
 	const char *equals = strchr(value, '=');
 	float number;
 	if (!equals || equals[1] == '"' || option_float(equals + 1, &number))
-		return set(o, "Declare", value);
-	return set(o, "Declare",
+		return option_set(o, "Declare", value);
+	return option_set(o, "Declare",
 		text_printf(&o->pool, "%.*s=\"%s\"", (int)(equals - value), value, equals + 1));
 }
 
 // clang-format off
 static const struct long_option long_options[] = {
-	{ "allow-read",       TAKES_VALUE,    NULL,                apply_allow_read },
-	{ "allow-write",      TAKES_VALUE,    NULL,                apply_allow_write },
+	{ "allow-read",       TAKES_VALUE,    "Allow_Read",        NULL },
+	{ "allow-write",      TAKES_VALUE,    "Allow_Write",       NULL },
 	{ "alpha",            TAKES_NOTHING,  "Output_Alpha",      NULL },
 	{ "antialias",        MAY_TAKE_VALUE, NULL,                apply_antialias },
 	{ "bits",             TAKES_VALUE,    "Bits_Per_Color",    NULL },
@@ -200,17 +121,17 @@ static const struct long_option long_options[] = {
 	{ "ini",              TAKES_VALUE,    "Include_Ini",       NULL },
 	{ "input",            TAKES_VALUE,    "Input_File_Name",   NULL },
 	{ "jitter",           TAKES_VALUE,    NULL,                apply_jitter },
-	{ "json",             TAKES_NOTHING,  NULL,                apply_json },
+	{ "json",             TAKES_NOTHING,  "Json_Messages",     NULL },
 	{ "language-version", TAKES_VALUE,    "Version",           NULL },
-	{ "loop-limit",       TAKES_VALUE,    NULL,                apply_loop_limit },
-	{ "no-file-io",       TAKES_NOTHING,  NULL,                apply_no_file_io },
+	{ "loop-limit",       TAKES_VALUE,    "Loop_Limit",        NULL },
+	{ "no-file-io",       TAKES_NOTHING,  "No_File_IO",        NULL },
 	{ "output",           TAKES_VALUE,    NULL,                apply_output },
-	{ "progress",         TAKES_VALUE,    NULL,                apply_progress },
+	{ "progress",         TAKES_VALUE,    "Progress",          NULL },
 	{ "quality",          TAKES_VALUE,    "Quality",           NULL },
-	{ "quiet",            TAKES_NOTHING,  NULL,                apply_quiet },
-	{ "region",           TAKES_VALUE,    NULL,                apply_region },
+	{ "quiet",            TAKES_NOTHING,  "Quiet",             NULL },
+	{ "region",           TAKES_VALUE,    "Region",            NULL },
 	{ "size",             TAKES_VALUE,    NULL,                apply_size },
-	{ "stats",            TAKES_VALUE,    NULL,                apply_stats },
+	{ "stats",            TAKES_VALUE,    "Statistics_To",     NULL },
 	{ "threads",          TAKES_VALUE,    "Work_Threads",      NULL },
 };
 // clang-format on
@@ -224,11 +145,26 @@ static const struct long_option *find(const char *name, size_t length)
 	return NULL;
 }
 
+static bool unknown(const struct options *o, const char *name, size_t length)
+{
+	const struct long_option *best = NULL;
+	size_t least = length;
+	for (size_t i = 0; i < sizeof long_options / sizeof *long_options; i++) {
+		const size_t distance = nearest_distance(name, length, long_options[i].name);
+		if (nearest_is_near(distance, length) && distance < least) {
+			best = &long_options[i];
+			least = distance;
+		}
+	}
+	return option_error(o, "there is no such option%s%s; see lambert --help",
+		best ? "; perhaps --" : "", best ? best->name : "");
+}
+
 static bool apply(struct options *o, const struct long_option *option, const char *value)
 {
 	if (option->apply)
 		return option->apply(o, value);
-	return set(o, option->ini, option->takes == TAKES_NOTHING ? "on" : value);
+	return option_set(o, option->ini, option->takes == TAKES_NOTHING ? "on" : value);
 }
 
 bool long_option_read(struct options *o, int argc, char **argv, int *used)
@@ -242,7 +178,7 @@ bool long_option_read(struct options *o, int argc, char **argv, int *used)
 	const size_t length = strcspn(name, "=");
 	const struct long_option *option = find(name, length);
 	if (!option)
-		return option_error(o, "there is no such option; see lambert --help");
+		return unknown(o, name, length);
 	const char *value = name[length] ? name + length + 1 : NULL;
 	if (value && option->takes == TAKES_NOTHING)
 		return option_error(o, "--%s takes no value", option->name);
@@ -253,5 +189,8 @@ bool long_option_read(struct options *o, int argc, char **argv, int *used)
 		value = argv[1];
 		*used = 2;
 	}
-	return apply(o, option, value);
+	o->strict = true;
+	const bool ok = apply(o, option, value);
+	o->strict = false;
+	return ok;
 }

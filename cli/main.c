@@ -2,12 +2,14 @@
 /* The command line: chooses the subcommand; without one, it is render. */
 #include "commands.h"
 #include "interrupt.h"
+#include "nearest.h"
 
 #include "lambert/lambert.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct {
 	const char *name;
@@ -45,6 +47,22 @@ static int run(const char *name, int (*command)(int argc, char **argv), int argc
 	return asks_for_help(argc, argv) ? usage_print(name) : command(argc, argv);
 }
 
+/* The command that a first argument is nearly, if it names no file; NULL: none. */
+static const char *command_meant(const char *word)
+{
+	const char *best = NULL;
+	const size_t length = strlen(word);
+	char ini[32];
+	if (snprintf(ini, sizeof ini, "%s.ini", word) >= (int)sizeof ini)
+		return NULL;
+	if (access(word, F_OK) == 0 || access(ini, F_OK) == 0)
+		return NULL;
+	for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+		if (nearest_is_near(nearest_distance(word, length, commands[i].name), length))
+			best = commands[i].name;
+	return best;
+}
+
 static int dispatch(int argc, char **argv)
 {
 	if (argc == 0 || is_help(argv[0]))
@@ -58,6 +76,12 @@ static int dispatch(int argc, char **argv)
 	for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
 		if (strcmp(argv[0], commands[i].name) == 0)
 			return run(commands[i].name, commands[i].run, argc - 1, argv + 1);
+	const char *meant = command_meant(argv[0]);
+	if (meant) {
+		fprintf(stderr, "lambert: error: there is no command \"%s\"; perhaps %s is meant\n",
+			argv[0], meant);
+		return STATUS_ERROR;
+	}
 	return run("render", command_render, argc, argv);
 }
 

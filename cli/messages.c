@@ -104,20 +104,13 @@ static void clear_line(struct messages *m)
 }
 
 /* What a scene writes, and a name of a file, may have any bytes in it. A terminal would obey some of
- * them: there control characters are shown as \x1b. Redirected, the bytes are what they are. */
+ * them. Redirected, the bytes are what they are. */
 static void put_text(FILE *file, const char *text, bool plain)
 {
-	for (const unsigned char *s = (const unsigned char *)text; *s; s++) {
-		/* U+0080 to U+009F are two bytes */
-		const bool wide = s[0] == 0xC2 && s[1] >= 0x80 && s[1] < 0xA0;
-		const bool control = (*s < ' ' && *s != '\n' && *s != '\t') || *s == 127 || wide;
-		if (plain || !control) {
-			fputc(*s, file);
-			continue;
-		}
-		s += wide;
-		fprintf(file, "\\x%02x", *s);
-	}
+	if (plain)
+		fputs(text, file);
+	else
+		text_show(file, text);
 }
 
 /* Excerpts */

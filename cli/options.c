@@ -13,10 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
-#define OPTION(ini, letters, kind, field, sign, use)                                               \
+#define OPTION(ini, letters, kind, field, sign, use, low, high)                                    \
 	{ ini, letters, KIND_##kind, offsetof(struct options, field),                              \
-		offsetof(struct options, sign), USE_##use },
+		offsetof(struct options, sign), USE_##use, low, high },
 const struct option_row option_rows[] = {
 #include "options.def"
 };
@@ -73,14 +74,16 @@ void options_finish(struct options *o)
 static void complain(const struct options *o, const char *kind, const char *format, va_list args)
 {
 	const struct option_place *p = &o->place;
-	if (p->file)
-		fprintf(stderr, "%s:%u: %s: ", p->file, p->line, kind);
-	else if (p->text)
-		fprintf(stderr, "lambert: %s: argument %d, \"%s\": ", kind, p->argument, p->text);
-	else
-		fprintf(stderr, "lambert: %s: ", kind);
-	vfprintf(stderr, format, args);
+	struct text_pool pool = { 0 };
+	const char *where = p->file ? text_printf(&pool, "%s:%u: %s: ", p->file, p->line, kind)
+			    : p->text
+				    ? text_printf(&pool, "lambert: %s: argument %d, \"%s\": ", kind,
+					      p->argument, p->text)
+				    : text_printf(&pool, "lambert: %s: ", kind);
+	text_show(stderr, where);
+	text_show(stderr, text_vprintf(&pool, format, args));
 	fputc('\n', stderr);
+	text_pool_finish(&pool);
 }
 
 bool option_error(const struct options *o, const char *format, ...)
@@ -90,6 +93,16 @@ bool option_error(const struct options *o, const char *format, ...)
 	complain(o, "error", format, args);
 	va_end(args);
 	return false;
+}
+
+void option_warning(const struct options *o, const char *format, ...)
+{
+	if (o->quiet)
+		return;
+	va_list args;
+	va_start(args, format);
+	complain(o, "warning", format, args);
+	va_end(args);
 }
 
 void option_note(const struct options *o, const char *format, ...)
@@ -119,9 +132,9 @@ enum origin options_set(const struct options *o, const char *ini_name)
 	return row ? (enum origin)o->set[row - option_rows] : ORIGIN_NOBODY;
 }
 
-static void mark(struct options *o, const char *ini_name)
+bool option_set(struct options *o, const char *ini_name, const char *value)
 {
-	o->set[option_find(ini_name, strlen(ini_name)) - option_rows] = (unsigned char)o->origin;
+	return option_apply(o, option_find(ini_name, strlen(ini_name)), value, false, '+');
 }
 
 /* Values */
@@ -142,6 +155,91 @@ bool option_int(const char *text, int *value)
 	const long v = strtol(text, &end, 10);
 	*value = v > 2147483647 ? 2147483647 : v < -2147483647 ? -2147483647 : (int)v;
 	return end != text;
+}
+
+/* Says that a number is not what it seems; false where that is an error. */
+static bool doubt(const struct options *o, const char *text)
+{
+	if (o->strict)
+		return option_error(o, "%s", text);
+	option_warning(o, "%s", text);
+	return true;
+}
+
+/* What is behind the number does not count. */
+static bool check_rest(struct options *o, const struct option_row *row, const char *value)
+{
+	char *end;
+	if (row->kind == KIND_INT)
+		(void)strtol(value, &end, 10);
+	else
+		(void)strtof(value, &end);
+	end += strspn(end, " \t");
+	if (!*end)
+		return true;
+	return doubt(
+		o, text_printf(&o->pool, "of \"%s\" only %.*s counts%s", value, (int)(end - value),
+			   value, row->kind == KIND_INT ? "; it is a whole number" : ""));
+}
+
+static bool check_range(
+	struct options *o, const struct option_row *row, const char *value, double number)
+{
+	if (row->low >= row->high || (number >= row->low && number <= row->high))
+		return true;
+	const double counts = number < row->low ? row->low : row->high;
+	return doubt(o, text_printf(&o->pool, "%s goes from %g to %g; %s %s%g", row->ini, row->low,
+				row->high, value, o->strict ? "is beyond " : "counts as ", counts));
+}
+
+/* Options that are ignored may have any value. */
+static bool apply_int(struct options *o, const struct option_row *row, const char *value)
+{
+	int number;
+	if (!option_int(value, &number))
+		return option_error(o, "%s needs a number, not \"%s\"", row->ini, value);
+	if (row->use == USE_USED && (number == 2147483647 || number == -2147483647))
+		return option_error(o, "%s: %s is too large a number", row->ini, value);
+	*(int *)((char *)o + row->field) = number;
+	return check_rest(o, row, value) && check_range(o, row, value, number);
+}
+
+static bool apply_float(struct options *o, const struct option_row *row, const char *value)
+{
+	float number;
+	if (!option_float(value, &number))
+		return option_error(o, "%s needs a number, not \"%s\"", row->ini, value);
+	*(float *)((char *)o + row->field) = number;
+	return check_rest(o, row, value) && check_range(o, row, value, (double)number);
+}
+
+static bool apply_count(struct options *o, const struct option_row *row, const char *value)
+{
+	char *end;
+	const double number = strtod(value, &end);
+	*(double *)((char *)o + row->field) = number;
+	return (end != value && !*end && number >= 0) ||
+	       option_error(o, "%s needs a number of 0 or more, not \"%s\"", row->ini, value);
+}
+
+static bool apply_region(struct options *o, const char *value)
+{
+	int *r = o->region, end = 0;
+	if (sscanf(value, "%d,%d,%d,%d%n", &r[0], &r[1], &r[2], &r[3], &end) != 4 || value[end])
+		return option_error(o,
+			"a region is LEFT,TOP,RIGHT,BOTTOM in pixels from 0, right and bottom one "
+			"past the last, not \"%s\"",
+			value);
+	o->has_region = true;
+	return true;
+}
+
+static bool apply_progress(struct options *o, const char *value)
+{
+	if (strcmp(value, "bar") != 0 && strcmp(value, "lines") != 0 && strcmp(value, "off") != 0)
+		return option_error(o, "progress is shown as bar, lines or off, not \"%s\"", value);
+	o->progress = text_copy(&o->pool, value, strlen(value));
+	return true;
 }
 
 static bool is_true(const char *value)
@@ -169,17 +267,14 @@ static bool apply_type(struct options *o, const char *value, bool is_switch)
 	if (!is_switch || !value[1])
 		return true;
 	if (tolower((unsigned char)value[1]) == 'g' && !value[2]) {
-		o->grayscale = true;
-		mark(o, "Grayscale_Output");
-		return true;
+		return option_set(o, "Grayscale_Output", "on");
 	}
 	if (value[1 + strspn(value + 1, "0123456789")])
 		return option_error(o,
 			"after the file type stands a number of bits or g for grayscale, not "
 			"\"%s\"",
 			value + 1);
-	mark(o, "Bits_Per_Color");
-	return option_int(value + 1, &o->bits);
+	return option_set(o, "Bits_Per_Color", value + 1);
 }
 
 static bool apply_dither(struct options *o, const char *value)
@@ -224,6 +319,14 @@ static void add_library(struct options *o, const char *path)
 		if (same_path(o->library.items[i], path))
 			return;
 	text_list_add(&o->pool, &o->library, path);
+}
+
+/* Folders of the default INI file are nobody's wish of today. */
+static void warn_of_missing_folder(const struct options *o, const char *path)
+{
+	struct stat s;
+	if (o->origin == ORIGIN_USER && (stat(path, &s) != 0 || !S_ISDIR(s.st_mode)))
+		option_warning(o, "there is no folder %s", path);
 }
 
 static bool is_identifier(const char *name)
@@ -307,11 +410,15 @@ static bool apply_value(
 		*(bool *)field = is_true(value);
 		return true;
 	case KIND_INT:
-		return option_int(value, field) ||
-		       option_error(o, "%s needs a number, not \"%s\"", row->ini, value);
+		return apply_int(o, row, value);
 	case KIND_FLOAT:
-		return option_float(value, field) ||
-		       option_error(o, "%s needs a number, not \"%s\"", row->ini, value);
+		return apply_float(o, row, value);
+	case KIND_COUNT:
+		return apply_count(o, row, value);
+	case KIND_REGION:
+		return apply_region(o, value);
+	case KIND_PROGRESS:
+		return apply_progress(o, value);
 	case KIND_TEXT:
 		*(const char **)field = text_copy(&o->pool, value, strlen(value));
 		return true;
@@ -326,7 +433,11 @@ static bool apply_value(
 	case KIND_GAMMA:
 		return apply_gamma(o, row, value);
 	case KIND_LIBRARY:
+		warn_of_missing_folder(o, value);
 		add_library(o, text_copy(&o->pool, value, strlen(value)));
+		return true;
+	case KIND_FOLDERS:
+		text_list_add(&o->pool, field, text_copy(&o->pool, value, strlen(value)));
 		return true;
 	case KIND_DECLARE:
 		return apply_declare(o, value);
@@ -343,46 +454,71 @@ static bool apply_value(
 	return false;
 }
 
+static void note_set(struct options *o, const struct option_row *row, const char *value)
+{
+	o->set[row - option_rows] = (unsigned char)o->origin;
+	o->given[row - option_rows] = text_copy(&o->pool, value, strlen(value));
+}
+
+/* The option that a sign switches beside its value. */
+static void apply_sign(struct options *o, size_t field, bool on)
+{
+	*(bool *)((char *)o + field) = on;
+	for (size_t i = 0; i < option_count; i++)
+		if (option_rows[i].kind == KIND_BOOL && option_rows[i].field == field)
+			note_set(o, &option_rows[i], on ? "On" : "Off");
+}
+
 bool option_apply(struct options *o, const struct option_row *row, const char *value,
 	bool is_switch, char sign)
 {
-	const bool takes_sign = is_switch && row->kind == KIND_BOOL;
-	if (takes_sign)
-		*(bool *)((char *)o + row->field) = sign == '+';
-	else if (!apply_value(o, row, value, is_switch))
+	if (is_switch && row->kind == KIND_BOOL) {
+		apply_sign(o, row->field, sign == '+');
+		return true;
+	}
+	if (!apply_value(o, row, value, is_switch))
 		return false;
+	note_set(o, row, value);
 	if (is_switch && row->sign != NOWHERE)
-		*(bool *)((char *)o + row->sign) = sign == '+';
-	o->set[row - option_rows] = (unsigned char)o->origin;
+		apply_sign(o, row->sign, sign == '+');
 	return true;
+}
+
+bool option_scene(struct options *o, const char *name)
+{
+	if (o->scene_named && !o->place.file)
+		return option_error(o, "one scene at a time: %s was named before", o->input);
+	o->scene_named = !o->place.file;
+	return option_set(o, "Input_File_Name", name);
 }
 
 /* Everything */
 
-/* POV-Ray would cut the name at the blank; nobody wants that. */
-static bool is_scene_with_blanks(const char *argument)
+static bool read_argument(struct options *o, int argc, char **argv, int *used)
 {
-	FILE *file;
-	if (!strpbrk(argument, " \t") || !text_ends_with(argument, ".pov") ||
-		!(file = fopen(argument, "rb")))
+	*used = 1;
+	if (strcmp(argv[0], "-") == 0)
+		return option_scene(o, argv[0]);
+	if (!long_option_read(o, argc, argv, used))
 		return false;
-	fclose(file);
-	return true;
+	if (*used)
+		return true;
+	*used = 1;
+	return switches_read(o, argv[0], false);
 }
 
+/* Behind "--" there are only scenes, whatever they look like. */
 static bool read_arguments(struct options *o, int argc, char **argv)
 {
-	for (int i = 0, used; i < argc; i += used) {
+	bool only_scenes = false;
+	for (int i = 0, used = 1; i < argc; i += used) {
 		o->place = (struct option_place){ .argument = i + 1, .text = argv[i] };
-		if (is_scene_with_blanks(argv[i])) {
-			o->input = argv[i];
+		if (!only_scenes && strcmp(argv[i], "--") == 0) {
+			only_scenes = true;
 			used = 1;
-		} else if (!long_option_read(o, argc - i, argv + i, &used)) {
+		} else if (!(only_scenes ? option_scene(o, argv[i])
+					 : read_argument(o, argc - i, argv + i, &used))) {
 			return false;
-		} else if (used == 0) {
-			if (!switches_read(o, argv[i], false))
-				return false;
-			used = 1;
 		}
 	}
 	o->place = (struct option_place){ 0 };
@@ -407,6 +543,7 @@ bool options_read(struct options *o, int argc, char **argv)
 	o->origin = ORIGIN_USER;
 	if (!read_arguments(o, argc, argv))
 		return false;
+	o->library_named = o->library.count;
 	const char *last = getenv("POVINC");
 	if (last && *last)
 		add_library(o, last);
@@ -418,50 +555,57 @@ bool options_read(struct options *o, int argc, char **argv)
 
 /* Writing them down */
 
+/* In quotes that the text does not hold itself. */
+static void write_text(FILE *file, const char *ini, const char *text)
+{
+	const char quote = strchr(text, '"') ? '\'' : '"';
+	fprintf(file, "%s=%c%s%c\n", ini, quote, text, quote);
+}
+
+static void write_texts(FILE *file, const char *ini, const struct text_list *list, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		write_text(file, ini, list->items[i]);
+}
+
+static void write_declarations(FILE *file, const struct options *o, const char *ini)
+{
+	for (size_t i = 0; i < o->declaration_count; i++) {
+		const struct lambert_declaration *d = &o->declarations[i];
+		if (d->string)
+			fprintf(file, "%s='%s=\"%s\"'\n", ini, d->name, d->string);
+		else
+			fprintf(file, "%s=%s=%g\n", ini, d->name, d->number);
+	}
+}
+
 static void write_value(FILE *file, const struct options *o, const struct option_row *row)
 {
-	const void *field = (const char *)o + row->field;
+	const struct text_list *list = (const void *)((const char *)o + row->field);
 	switch (row->kind) {
-	case KIND_BOOL:
-		fprintf(file, "%s=%s\n", row->ini, *(const bool *)field ? "On" : "Off");
-		break;
-	case KIND_INT:
-		fprintf(file, "%s=%d\n", row->ini, *(const int *)field);
-		break;
-	case KIND_FLOAT:
-		fprintf(file, "%s=%g\n", row->ini, (double)*(const float *)field);
-		break;
-	case KIND_GAMMA:
-		if (*(const float *)field > 0)
-			fprintf(file, "%s=%g\n", row->ini, (double)*(const float *)field);
-		else
-			fprintf(file, "%s=sRGB\n", row->ini);
-		break;
 	case KIND_TYPE:
 		fprintf(file, "%s=%c\n", row->ini, o->output_type);
 		break;
-	case KIND_DITHER:
-		fprintf(file, "%s=%s\n", row->ini, o->dither_method);
+	case KIND_DECLARE:
+		write_declarations(file, o, row->ini);
 		break;
 	case KIND_LIBRARY:
-		for (size_t i = 0; i < o->library.count; i++)
-			fprintf(file, "%s=\"%s\"\n", row->ini, o->library.items[i]);
+		write_texts(file, row->ini, &o->library, o->library_named);
 		break;
-	case KIND_DECLARE:
-		for (size_t i = 0; i < o->declaration_count; i++) {
-			const struct lambert_declaration *d = &o->declarations[i];
-			if (d->string)
-				fprintf(file, "%s='%s=\"%s\"'\n", row->ini, d->name, d->string);
-			else
-				fprintf(file, "%s=%s=%g\n", row->ini, d->name, d->number);
-		}
+	case KIND_FOLDERS:
+		write_texts(file, row->ini, list, list->count);
 		break;
+	case KIND_INI:
+	case KIND_COMMAND:
+	case KIND_RETIRED:
+		break;
+	case KIND_REGION: /* a comma would begin another value */
 	case KIND_TEXT:
 	case KIND_FILE:
-		fprintf(file, "%s=\"%s\"\n", row->ini, *(const char *const *)field);
+		write_text(file, row->ini, o->given[row - option_rows]);
 		break;
 	default:
-		break;
+		fprintf(file, "%s=%s\n", row->ini, o->given[row - option_rows]);
 	}
 }
 
@@ -476,8 +620,7 @@ bool options_write_ini(const struct options *o, const char *path)
 	const struct option_row *rows[OPTION_MAX];
 	size_t count = 0;
 	for (size_t i = 0; i < option_count; i++)
-		if (o->set[i] && *option_rows[i].ini &&
-			strcmp(option_rows[i].ini, "Bits_Per_Colour") != 0)
+		if (o->set[i] && *option_rows[i].ini)
 			rows[count++] = &option_rows[i];
 	qsort(rows, count, sizeof *rows, by_name);
 	FILE *file = fopen(path, "w");

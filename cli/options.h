@@ -28,14 +28,18 @@ enum option_kind {
 	KIND_INT,
 	KIND_FLOAT,
 	KIND_TEXT,
-	KIND_TYPE,    /* output file type: a letter, in the switch also a depth */
-	KIND_FILE,    /* a file name, or a truth value for the usual name */
-	KIND_DITHER,  /* B2 B3 B4 D1 D2 FS */
-	KIND_GAMMA,   /* a number, 0 standing for "sRGB" */
-	KIND_LIBRARY, /* one more folder to search */
-	KIND_DECLARE, /* name=value */
-	KIND_INI,     /* a file to read now */
-	KIND_COMMAND, /* a shell command, never run */
+	KIND_TYPE,     /* output file type: a letter, in the switch also a depth */
+	KIND_FILE,     /* a file name, or a truth value for the usual name */
+	KIND_DITHER,   /* B2 B3 B4 D1 D2 FS */
+	KIND_GAMMA,    /* a number, 0 standing for "sRGB" */
+	KIND_COUNT,    /* a number of 0 or more, in double precision */
+	KIND_REGION,   /* left,top,right,bottom in pixels */
+	KIND_PROGRESS, /* bar, lines or off */
+	KIND_LIBRARY,  /* one more folder to search */
+	KIND_FOLDERS,  /* one more of a list */
+	KIND_DECLARE,  /* name=value */
+	KIND_INI,      /* a file to read now */
+	KIND_COMMAND,  /* a shell command, never run */
 	KIND_RETIRED,
 };
 enum option_use { USE_USED, USE_IGNORED, USE_REFUSED, USE_QUIET };
@@ -58,12 +62,14 @@ struct options {
 	enum origin origin; /* of what is being read */
 	struct option_place place;
 	unsigned ini_depth;
+	bool strict;		       /* a doubtful value is refused, not only warned of */
 	unsigned char set[OPTION_MAX]; /* enum origin, by row of options.def */
+	const char *given[OPTION_MAX]; /* the value of those that were set, by row */
 
 	/* picture */
 	int width, height;
 	float start_column, start_row, end_column, end_row;
-	bool has_region; /* given with --region: */
+	bool has_region; /* in pixels: */
 	int region[4];	 /* left, top and one past the right and bottom */
 	bool output_to_file;
 	char output_type; /* 0: not chosen */
@@ -76,7 +82,9 @@ struct options {
 
 	/* scene */
 	const char *input, *include_header;
+	bool scene_named; /* input is a word of the command line */
 	struct text_list library;
+	size_t library_named; /* of them: the others are always searched */
 	struct lambert_declaration *declarations;
 	size_t declaration_count;
 	float version, clock;
@@ -95,8 +103,10 @@ struct options {
 	float initial_clock, final_clock, subset_start, subset_end;
 	bool cyclic;
 
+	bool continue_trace; /* starts anew, with a note */
+
 	/* refused when on */
-	bool continue_trace, clockless, radiosity_from_file, radiosity_to_file, real_time;
+	bool clockless, radiosity_from_file, radiosity_to_file, real_time;
 
 	/* text */
 	bool all_console, console[STREAM_COUNT], append_file;
@@ -129,6 +139,7 @@ struct option_row {
 	enum option_kind kind;
 	size_t field, sign; /* offsets in struct options; that of `none`: nothing */
 	enum option_use use;
+	double low, high; /* of a number; equal: any */
 };
 extern const struct option_row option_rows[];
 extern const size_t option_count;
@@ -153,8 +164,15 @@ bool options_write_ini(const struct options *, const char *path);
 /* Says what is wrong with an option and where it stands; always false. */
 bool option_error(const struct options *, const char *format, ...)
 	__attribute__((format(printf, 2, 3)));
+/* The same for what is no error. */
+void option_warning(const struct options *, const char *format, ...)
+	__attribute__((format(printf, 2, 3)));
 void option_note(const struct options *, const char *format, ...)
 	__attribute__((format(printf, 2, 3)));
+/* Sets an option of this INI name; false after a message. */
+bool option_set(struct options *, const char *ini_name, const char *value);
+/* Another scene than the one that was named by a word before is an error. */
+bool option_scene(struct options *, const char *name);
 
 /* The longest numeric beginning of a text; false when there is none. */
 bool option_float(const char *text, float *value);

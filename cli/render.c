@@ -111,10 +111,21 @@ static int render_frame(struct options *o, const struct frames *frames, int fram
 	return status;
 }
 
+static void warn_of_alpha(const struct options *o)
+{
+	const char format = o->output_to_file && o->output_alpha ? names_format(o) : 0;
+	if (format && strchr("PJH", format))
+		option_warning(
+			o, "the format of the picture has no alpha channel: it is not stored");
+	if (format == 'B')
+		option_warning(o, "few programs read the alpha channel of a BMP");
+}
+
 static int render_frames(struct options *o)
 {
 	struct frames frames;
 	frames_init(&frames, o);
+	warn_of_alpha(o);
 	int status = STATUS_OK;
 	for (long frame = frames.first; frame <= frames.last && status == STATUS_OK;
 		frame += frames.step) {

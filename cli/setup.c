@@ -39,6 +39,8 @@ static void note_ignored(struct options *o)
 				&o->pool, "%s%s%s", names, *names ? ", " : "", option_rows[i].ini);
 	if (*names)
 		option_note(o, "without effect here: %s", names);
+	if (o->continue_trace)
+		option_note(o, "resuming is not built yet: the picture starts from the beginning");
 	for (size_t i = 0; i < o->commands.count; i++)
 		option_note(o, "shell commands are not run (%s)", o->commands.items[i]);
 }
@@ -100,7 +102,7 @@ static void declare_all(
 		{ "initial_clock", NULL,
 			f->is_animation ? six_digits((double)o->initial_clock) : 0 },
 		{ "final_clock", NULL, f->is_animation ? six_digits((double)o->final_clock) : 0 },
-		{ "clock_delta", NULL, six_digits((double)f->clock_delta) },
+		{ "clock_delta", NULL, six_digits(f->clock_delta) },
 	};
 	const size_t room = sizeof built_in / sizeof *built_in;
 	struct lambert_declaration *all =

@@ -2,15 +2,18 @@
 /*
  * POV-Ray's option syntax: switches (+W320), assignments (Width=320), and bare
  * words that name a scene, a folder of the library path, or an INI file. An
- * argument of the command line is a little line of its own; a line of an INI
- * file differs in what an assignment may hold.
+ * argument of the command line is a little line of its own, but where it gives a
+ * name, all of it is the name: the shell has settled what belongs together. A
+ * line of an INI file differs in what an assignment may hold.
  */
+#include "nearest.h"
 #include "options.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 static bool is_blank(char c)
 {
@@ -73,33 +76,52 @@ static bool unknown_switch(const struct options *o, char sign, const char *word)
 	return option_error(o, "there is no switch %c%s", sign, word);
 }
 
-static bool apply_switch(struct options *o, char sign, const char *word)
+/* The option of a switch, with what is behind its letters. */
+static const struct option_row *switch_row(const char *word, const char **rest)
 {
 	for (size_t i = 0; i < option_count; i++) {
-		const char *rest = begins_with(word, option_rows[i].letters);
-		if (rest && (*rest != 0) == (option_rows[i].kind != KIND_BOOL))
-			return option_apply(o, &option_rows[i], rest, true, sign);
+		*rest = begins_with(word, option_rows[i].letters);
+		if (*rest && (**rest != 0) == (option_rows[i].kind != KIND_BOOL))
+			return &option_rows[i];
 	}
-	return unknown_switch(o, sign, word);
+	return NULL;
 }
 
-static bool apply_quoted_switch(struct options *o, char sign, const char *word, const char *value)
+/* The option of a switch whose value stands in quotes behind it. */
+static const struct option_row *quoted_row(const char *letters)
 {
 	for (size_t i = 0; i < option_count; i++)
 		if (option_rows[i].kind != KIND_BOOL && *option_rows[i].letters &&
-			strcasecmp(option_rows[i].letters, word) == 0)
-			return option_apply(o, &option_rows[i], value, true, sign);
-	return unknown_switch(o, sign, word);
+			strcasecmp(option_rows[i].letters, letters) == 0)
+			return &option_rows[i];
+	return NULL;
 }
 
-static bool read_switch(struct options *o, const char **p)
+/* Whether the value is a name, in which a blank or a # is as good as a letter. */
+static bool is_name(const struct option_row *row)
+{
+	return row->use == USE_USED && (row->kind == KIND_TEXT || row->kind == KIND_FILE ||
+					       row->kind == KIND_LIBRARY || row->kind == KIND_INI);
+}
+
+static bool read_switch(struct options *o, const char **p, bool in_file)
 {
 	const char sign = *(*p)++;
+	const char *start = *p, *rest;
 	const char *word = read_until(o, p, " \t;#\"'[]=");
-	if (!is_quote(**p))
-		return apply_switch(o, sign, word);
-	const char *value = read_quoted(o, p);
-	return value && apply_quoted_switch(o, sign, word, value);
+	const struct option_row *row = is_quote(**p) ? quoted_row(word) : NULL;
+	if (row) {
+		const char *value = read_quoted(o, p);
+		return value && option_apply(o, row, value, true, sign);
+	}
+	row = switch_row(word, &rest);
+	if (row && is_name(row) && !in_file) {
+		rest = start + strlen(row->letters);
+		*p = start + strlen(start);
+	}
+	if (!row || is_quote(**p))
+		return unknown_switch(o, sign, word);
+	return option_apply(o, row, rest, true, sign);
 }
 
 /* Assignments */
@@ -114,35 +136,18 @@ static size_t assigned_name(const char *p, bool in_file)
 	return *after == '=' ? n : 0;
 }
 
-static size_t differences(const char *a, const char *b, size_t length)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < length && a[i] && b[i]; i++)
-		n += tolower((unsigned char)a[i]) != tolower((unsigned char)b[i]);
-	return n;
-}
-
-/* A name that differs in at most two letters, or begins alike. */
 static const char *similar_name(const char *name, size_t length)
 {
+	const char *best = NULL;
+	size_t least = length;
 	for (size_t i = 0; i < option_count; i++) {
-		const char *ini = option_rows[i].ini;
-		const size_t n = strlen(ini);
-		if (n + 1 < length || n > length + 1 || n < 4)
-			continue;
-		if (differences(name, ini, length) <= 2)
-			return ini;
-		size_t begin = 0, end = 0;
-		while (begin < n && begin < length &&
-			differences(name + begin, ini + begin, 1) == 0)
-			begin++;
-		while (end < n && end < length &&
-			differences(name + length - 1 - end, ini + n - 1 - end, 1) == 0)
-			end++;
-		if (begin + end + 1 >= length)
-			return ini;
+		const size_t distance = nearest_distance(name, length, option_rows[i].ini);
+		if (nearest_is_near(distance, length) && distance < least) {
+			best = option_rows[i].ini;
+			least = distance;
+		}
 	}
-	return NULL;
+	return best;
 }
 
 static bool unknown_name(const struct options *o, const char *name, size_t length)
@@ -205,6 +210,11 @@ static bool read_assignment(struct options *o, const char **p, size_t length, bo
 		*p = skip_blanks(*p);
 	if (row->kind == KIND_COMMAND)
 		return option_apply(o, row, read_raw(o, p), false, '+');
+	if (is_name(row) && !in_file && !is_quote(**p)) {
+		const char *value = *p;
+		*p += strlen(*p);
+		return option_apply(o, row, value, false, '+');
+	}
 	for (;;) {
 		const char *value = read_value(o, p, in_file);
 		if (!value || !option_apply(o, row, value, false, '+'))
@@ -224,9 +234,9 @@ static bool read_assignment(struct options *o, const char **p, size_t length, bo
 static bool apply_word(struct options *o, const char *word)
 {
 	if (text_ends_with(word, ".pov"))
-		return option_apply(o, option_find("Input_File_Name", 15), word, false, '+');
+		return option_scene(o, word);
 	if (text_ends_with(word, "/"))
-		return option_apply(o, option_find("Library_Path", 12), word, false, '+');
+		return option_set(o, "Library_Path", word);
 	return ini_read(o, word);
 }
 
@@ -236,11 +246,19 @@ static bool read_word(struct options *o, const char **p)
 	return word && apply_word(o, word);
 }
 
+/* Whether the argument as a whole names a file, blanks and all. */
+static bool is_file_with_blanks(const char *argument)
+{
+	return strpbrk(argument, " \t;#") && access(argument, R_OK) == 0;
+}
+
 bool switches_read(struct options *o, const char *text, bool in_file)
 {
+	if (!in_file && is_file_with_blanks(text))
+		return apply_word(o, text);
 	for (const char *p = skip_blanks(text); !at_end(p); p = skip_blanks(p)) {
 		const size_t name = assigned_name(p, in_file);
-		const bool ok = *p == '+' || *p == '-' ? read_switch(o, &p)
+		const bool ok = *p == '+' || *p == '-' ? read_switch(o, &p, in_file)
 				: name		       ? read_assignment(o, &p, name, in_file)
 						       : read_word(o, &p);
 		if (!ok)

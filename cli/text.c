@@ -45,17 +45,39 @@ char *text_copy(struct text_pool *pool, const char *text, size_t length)
 	return copy;
 }
 
+char *text_vprintf(struct text_pool *pool, const char *format, va_list args)
+{
+	va_list again;
+	va_copy(again, args);
+	const int n = vsnprintf(NULL, 0, format, again);
+	va_end(again);
+	char *text = text_alloc(pool, (size_t)n + 1);
+	vsnprintf(text, (size_t)n + 1, format, args);
+	return text;
+}
+
 char *text_printf(struct text_pool *pool, const char *format, ...)
 {
 	va_list args;
 	va_start(args, format);
-	const int n = vsnprintf(NULL, 0, format, args);
-	va_end(args);
-	char *text = text_alloc(pool, (size_t)n + 1);
-	va_start(args, format);
-	vsnprintf(text, (size_t)n + 1, format, args);
+	char *text = text_vprintf(pool, format, args);
 	va_end(args);
 	return text;
+}
+
+void text_show(FILE *file, const char *text)
+{
+	for (const unsigned char *s = (const unsigned char *)text; *s; s++) {
+		/* U+0080 to U+009F are two bytes */
+		const bool wide = s[0] == 0xC2 && s[1] >= 0x80 && s[1] < 0xA0;
+		const bool control = (*s < ' ' && *s != '\n' && *s != '\t') || *s == 127 || wide;
+		if (!control) {
+			fputc(*s, file);
+			continue;
+		}
+		s += wide;
+		fprintf(file, "\\x%02x", *s);
+	}
 }
 
 void text_list_add(struct text_pool *pool, struct text_list *list, const char *item)
@@ -77,7 +99,7 @@ bool text_ends_with(const char *text, const char *end)
 	return n >= m && strcasecmp(text + n - m, end) == 0;
 }
 
-char *text_of_file(struct text_pool *pool, const char *path)
+char *text_of_file(struct text_pool *pool, const char *path, size_t *size)
 {
 	FILE *file = fopen(path, "rb");
 	struct stat s;
@@ -92,5 +114,6 @@ char *text_of_file(struct text_pool *pool, const char *path)
 	const size_t n = fread(text, 1, (size_t)s.st_size, file);
 	fclose(file);
 	text[n] = 0;
+	*size = n;
 	return text;
 }

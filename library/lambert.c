@@ -146,6 +146,7 @@ struct reading {
 	struct diag *diag;
 	struct arena *arena, *passing; /* for the text and its tree; for the statements at hand */
 	struct parse_options files;
+	bool writes_nothing; /* what the scene writes stays in memory */
 	struct lower_options lower_options;
 	struct lowering lowering;
 };
@@ -156,11 +157,14 @@ static void reading_begin(struct reading *r)
 	r->arena = arena_create(1 << 20);
 	r->passing = arena_create(2 * PASSING_BYTES);
 	r->files = parse_options_for(r->path, r->options, r->arena);
+	if (r->writes_nothing)
+		r->files.scratch = scratch_create();
 }
 
 static void reading_end(struct reading *r)
 {
 	diag_show_unsupported(r->diag);
+	scratch_destroy(r->files.scratch);
 	arena_destroy(r->passing);
 	arena_destroy(r->arena);
 	diag_destroy(r->diag);
@@ -267,7 +271,7 @@ lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_o
 bool lambert_scene_check(
 	const char *path, const struct lambert_scene_options *o, struct lambert_scene_stats *stats)
 {
-	struct reading r = { .path = path, .options = o };
+	struct reading r = { .path = path, .options = o, .writes_nothing = true };
 	with_deep_stack(read_scene, &r);
 	const bool fine = r.scene != NULL;
 	*stats = r.stats;
@@ -277,7 +281,7 @@ bool lambert_scene_check(
 
 bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *o, FILE *out)
 {
-	struct reading r = { .path = path, .options = o, .out = out };
+	struct reading r = { .path = path, .options = o, .out = out, .writes_nothing = true };
 	with_deep_stack(print_tree, &r);
 	return r.printed;
 }

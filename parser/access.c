@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What a scene may touch. It can be a stranger's: it may write below the current
- * folder only, and read below that, below its own folder and in the library,
- * unless options allow more. Links are followed before that is decided.
+ * folder only, and read below that, below its own folder, in the library and
+ * below the user's home folder but for what is hidden there, unless options allow
+ * more. Links are followed before that is decided.
  */
 #include "base/arena.h"
 #include "parser/parser.h"
@@ -36,15 +37,26 @@ static bool allows_writing(const struct parse_options *o, const char *real)
 	return is_below(real, ".") || is_below_any(real, o->write_paths, o->write_path_count);
 }
 
+/* Whether the path is below the home folder with no hidden folder or file on the way. */
+static bool is_at_home(const char *real)
+{
+	const char *home = getenv("HOME");
+	char folder[PATH_MAX];
+	if (!home || *home != '/' || !realpath(home, folder) || !folder[1] ||
+		!is_below(real, folder))
+		return false;
+	return !strstr(real + strlen(folder), "/.");
+}
+
 static bool allows_reading(const struct parse_options *o, const char *real)
 {
-	return allows_writing(o, real) || (o->scene_folder && is_below(real, o->scene_folder)) ||
+	return allows_writing(o, real) || is_at_home(real) ||
+	       (o->scene_folder && is_below(real, o->scene_folder)) ||
 	       is_below_any(real, o->library_paths, o->library_path_count) ||
 	       is_below_any(real, o->read_paths, o->read_path_count);
 }
 
-/* The path of a file without links; the file need not exist yet, its folder must. */
-static bool true_path(const char *path, char real[PATH_MAX])
+bool file_true_path(const char *path, char real[PATH_MAX])
 {
 	if (realpath(path, real))
 		return true;
@@ -72,13 +84,14 @@ static bool true_path(const char *path, char real[PATH_MAX])
 const char *file_may_read(const struct parse_options *o, const char *path, struct arena *arena)
 {
 	char real[PATH_MAX];
-	if (!true_path(path, real))
+	if (!file_true_path(path, real))
 		return arena_printf(arena, "cannot read %s: %s", path, strerror(errno));
 	if (allows_reading(o, real))
 		return NULL;
 	return arena_printf(arena,
 		"the scene is not allowed to read '%s', which is not below its folder, the current "
-		"folder or a library path; --allow-read permits more",
+		"folder, the home folder (hidden ones apart) or a library path; --allow-read "
+		"permits more",
 		path);
 }
 
@@ -94,7 +107,7 @@ FILE *file_open_to_write(const struct parse_options *o, const char *path, bool a
 	struct arena *arena, const char **message)
 {
 	char real[PATH_MAX];
-	const bool known = true_path(path, real);
+	const bool known = file_true_path(path, real);
 	if (known && !allows_writing(o, real)) {
 		*message = arena_printf(arena,
 			"the scene is not allowed to write '%s', which is not below the current "
@@ -102,7 +115,9 @@ FILE *file_open_to_write(const struct parse_options *o, const char *path, bool a
 			path);
 		return NULL;
 	}
-	FILE *file = known ? open_inside(real, append) : NULL;
+	FILE *file = !known	  ? NULL
+		     : o->scratch ? scratch_write(o->scratch, real, append)
+				  : open_inside(real, append);
 	if (!file)
 		*message = arena_printf(arena, "cannot write %s: %s", path, strerror(errno));
 	return file;

@@ -65,7 +65,7 @@ static bool include_file(struct parser *p, const char *name, span where)
 		diag_warning(p->diag, where, "include file '%s' found as %s", name, path);
 	struct source *s = x->file_count < MAX_FILES ? find_source(x, path) : NULL;
 	if (!s && x->file_count < MAX_FILES) {
-		s = source_read(p->arena, p->diag, &x->names, path, false);
+		s = source_open(p->arena, p->diag, &x->names, p->options, path);
 		if (!s) {
 			parser_stop(p, where, "cannot read %s: %s", path, strerror(errno));
 			return false;

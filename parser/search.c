@@ -13,10 +13,13 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-static bool is_file(const char *path)
+static bool is_file(const struct parse_options *o, const char *path)
 {
 	struct stat info;
-	return !stat(path, &info) && !S_ISDIR(info.st_mode);
+	size_t size;
+	if (!stat(path, &info))
+		return !S_ISDIR(info.st_mode);
+	return scratch_read(o->scratch, path, &size) != NULL;
 }
 
 const char *file_in_folder(struct arena *arena, const char *folder, const char *name)
@@ -43,7 +46,8 @@ static const char *entry_in_other_case(struct arena *arena, const char *folder, 
 }
 
 /* Follows `name` from `folder` one part after the other. */
-static const char *path_in_other_case(struct arena *arena, const char *folder, const char *name)
+static const char *path_in_other_case(
+	const struct parse_options *o, const char *folder, const char *name, struct arena *arena)
 {
 	const char *path = folder;
 	while (*name == '/')
@@ -63,28 +67,30 @@ static const char *path_in_other_case(struct arena *arena, const char *folder, c
 		name += length;
 		name += strspn(name, "/");
 	}
-	return is_file(path) ? path : NULL;
+	return is_file(o, path) ? path : NULL;
 }
 
-typedef const char *(*lookup)(struct arena *, const char *folder, const char *name);
+typedef const char *(*lookup)(
+	const struct parse_options *, const char *folder, const char *name, struct arena *);
 
-static const char *lookup_exact(struct arena *arena, const char *folder, const char *name)
+static const char *lookup_exact(
+	const struct parse_options *o, const char *folder, const char *name, struct arena *arena)
 {
 	const char *path = file_in_folder(arena, folder, name);
-	return is_file(path) ? path : NULL;
+	return is_file(o, path) ? path : NULL;
 }
 
 /* In the current folder and the library paths; with `beside`, in the folder of the scene too. */
 static const char *in_folders(const struct parse_options *o, const char *name, lookup look,
 	bool beside, struct arena *arena)
 {
-	const char *path = look(arena, "", name);
+	const char *path = look(o, "", name, arena);
 	if (path || *name == '/')
 		return path;
 	for (size_t i = 0; i < o->library_path_count; i++)
-		if ((path = look(arena, o->library_paths[i], name)))
+		if ((path = look(o, o->library_paths[i], name, arena)))
 			return path;
-	return beside && o->scene_folder ? look(arena, o->scene_folder, name) : NULL;
+	return beside && o->scene_folder ? look(o, o->scene_folder, name, arena) : NULL;
 }
 
 static bool has_extension(const char *name, const char *const *extensions)

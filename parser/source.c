@@ -323,6 +323,15 @@ struct source *source_read(struct arena *arena, struct diag *diag, struct names 
 	return s;
 }
 
+struct source *source_open(struct arena *arena, struct diag *diag, struct names *names,
+	const struct parse_options *o, const char *path)
+{
+	size_t size;
+	const char *text = scratch_read(o->scratch, path, &size);
+	return text ? source_create(arena, diag, names, path, text, size, false)
+		    : source_read(arena, diag, names, path, false);
+}
+
 void source_finish(struct source *s)
 {
 	if (s->rest)

@@ -15,6 +15,7 @@
 
 #include "base/diag.h"
 #include "names.h"
+#include "parser/parser.h"
 
 /* Kinds below 128 are the punctuation character itself. */
 enum raw_kind {
@@ -68,6 +69,7 @@ struct source {
 	bool piece_splits; /* a statement began before */
 	const char *error; /* of the last token if that is RAW_ERROR */
 	uint32_t error_offset, error_length;
+	bool is_data;		 /* for #read, not a part of the scene */
 	struct source *previous; /* of all read by this parse */
 };
 
@@ -79,6 +81,9 @@ struct source *source_create(struct arena *, struct diag *, struct names *, cons
 /* The same with the bytes of a file; NULL with errno set if it cannot be read. */
 struct source *source_read(
 	struct arena *, struct diag *, struct names *, const char *path, bool main_file);
+/* The same with what the scene has written to that path in memory, if it has. */
+struct source *source_open(struct arena *, struct diag *, struct names *,
+	const struct parse_options *, const char *path);
 /* Lexes the next piece, or all that is left, if there is more. The tokens may move. `forget`: those of
  * the present piece are not needed any more, and the next one, from s->piece on, may take their place;
  * else what is new stands behind them. */

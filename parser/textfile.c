@@ -9,12 +9,14 @@
 #include "grammar.tab.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 #include <sys/stat.h>
 
 struct scene_file {
 	const char *path;
+	const char *written; /* the path without links, if it was opened to be written */
 	span opened;
 	FILE *out;	   /* open for writing */
 	struct source *in; /* open for reading */
@@ -45,18 +47,47 @@ static bool open_to_read(struct parser *p, struct scene_file *f, span where)
 		parser_error(p, where, "%s", refusal);
 		return false;
 	}
-	f->in = source_read(p->arena, p->diag, &x->names, path, false);
+	f->in = source_open(p->arena, p->diag, &x->names, p->options, path);
 	if (!f->in) {
 		parser_error(p, where, "cannot read %s: %s", path, strerror(errno));
 		return false;
 	}
+	f->in->is_data = true;
 	f->in->previous = x->sources;
 	x->sources = f->in;
 	return true;
 }
 
+/* Whether the scene has written the file before, in this run. */
+static bool is_own(const struct expand *x, const char *real)
+{
+	for (const struct scene_file *f = x->files; f; f = f->previous)
+		if (f->written && !strcmp(f->written, real))
+			return true;
+	return false;
+}
+
+/* Whether a path leads to a text of the scene that the scene has not written itself. */
+static bool is_scene_text(const struct expand *x, const char *real)
+{
+	char other[PATH_MAX];
+	for (const struct source *s = x->sources; s; s = s->previous)
+		if (!s->is_data && file_true_path(s->name, other) && !strcmp(other, real))
+			return !is_own(x, real);
+	return false;
+}
+
 static bool open_to_write(struct parser *p, struct scene_file *f, bool append, span where)
 {
+	char real[PATH_MAX];
+	const bool known = file_true_path(f->path, real);
+	if (known && is_scene_text(p->expand, real)) {
+		parser_error(
+			p, where, "'%s' is a text of this scene: it is not overwritten", f->path);
+		return false;
+	}
+	if (known)
+		f->written = arena_string(p->arena, real, strlen(real));
 	const char *message = NULL;
 	f->out = file_open_to_write(p->options, f->path, append, p->arena, &message);
 	if (!f->out)
@@ -458,9 +489,19 @@ static bool write_item(
 	return true;
 }
 
+/* What stays in memory must not fill it. */
+static bool within_memory(struct parser *p, FILE *out, span where)
+{
+	enum { LIMIT = 256 << 20 };
+	if (!p->options->scratch || ftello(out) <= LIMIT)
+		return true;
+	parser_error(p, where, "the scene writes more than %d MB, which stay in memory here",
+		LIMIT >> 20);
+	return false;
+}
+
 bool file_write(struct parser *p, span where)
 {
-	(void)where;
 	struct symbol *handle = read_handle(p, false);
 	if (!handle)
 		return false;
@@ -473,7 +514,7 @@ bool file_write(struct parser *p, span where)
 		if (p->failed)
 			return false;
 		if (token == ')')
-			return true;
+			return within_memory(p, out, where);
 		if (token == ',') {
 			format = NULL;
 			continue;

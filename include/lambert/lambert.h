@@ -101,10 +101,12 @@ struct lambert_scene_stats {
 	double parse_cpu, lower_cpu, build_cpu; /* CPU seconds */
 };
 /* Reads and checks a scene without preparing it; false after an error. Every error that loading finds
- * is found. The numbers of what is not prepared stay 0. */
+ * is found. The numbers of what is not prepared stay 0. Nothing is written to the disk: what the scene
+ * writes stays in memory, where the scene can read it. */
 bool lambert_scene_check(
 	const char *path, const struct lambert_scene_options *, struct lambert_scene_stats *);
-/* Reads a scene and prints its syntax tree as JSON; false after an error. */
+/* Reads a scene and prints its syntax tree as JSON; false after an error. Nothing is written to the
+ * disk, as by lambert_scene_check. */
 bool lambert_scene_print_ast(const char *path, const struct lambert_scene_options *, FILE *);
 /* Prints a text as a JSON string in UTF-8; bytes that are no UTF-8 count as Latin-1. */
 void lambert_print_json_string(const char *text, FILE *);

@@ -126,7 +126,19 @@ static void names_may_be_quoted(void **state)
 	assert_string_equal(o.output, "a b.png");
 	assert_true(reads("Output_File_Name='a b.png'", NULL));
 	assert_string_equal(o.output, "a b.png");
-	assert_false(reads("+Oa b.png", NULL)); /* b.png is taken for an INI file */
+	assert_true(reads("+Ia dir/my scene.pov", "+Oa dir/out put#1;2.png", "+La dir", NULL));
+	assert_string_equal(o.input, "a dir/my scene.pov");
+	assert_string_equal(o.output, "a dir/out put#1;2.png");
+	assert_string_equal(o.library.items[0], "a dir");
+	assert_true(reads("Input_File_Name=a b.pov", "Output_File_Name=c d=e.png",
+		"Library_Path=f g", "+HIhead er.inc", "+GDde bug.out", NULL));
+	assert_string_equal(o.input, "a b.pov");
+	assert_string_equal(o.output, "c d=e.png");
+	assert_string_equal(o.library.items[0], "f g");
+	assert_string_equal(o.include_header, "head er.inc");
+	assert_string_equal(o.stream_file[STREAM_DEBUG], "de bug.out");
+	assert_true(reads("+W11 +H12 +Q3", NULL)); /* numbers hold no blanks */
+	assert_true(o.width == 11 && o.height == 12 && o.quality == 3);
 	assert_false(reads("+O\"a b.png", NULL));
 }
 
@@ -238,7 +250,9 @@ static void long_options_say_the_same(void **state)
 	assert_true(reads("--gamma=srgb", NULL) && o.file_gamma == 0);
 	static const char *const wrong[] = { "--size=320", "--size=0x5", "--size=3x4x", "--what",
 		"--alpha=1", "--threads", "--antialias=3", "--region=1,2,3", "--gamma=0",
-		"--format=gif", "--progress=fast" };
+		"--format=gif", "--progress=fast", "--quality=11x", "--quality=12", "--bits=32",
+		"--jitter=5", "--antialias=2:0.1:4:1", "--antialias=2:x", "--size=99999999999x1",
+		"--loop-limit=-1" };
 	for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
 		assert_false(reads(wrong[i], NULL));
 }
@@ -318,6 +332,19 @@ static void frames_follow_the_clock(void **state)
 	assert_true(f.first == 0 && f.step == 2);
 }
 
+/* Worked out in double and rounded once: rounding the step as well would miss every second frame. */
+static void clocks_are_rounded_once(void **state)
+{
+	(void)state;
+	struct frames f = frames("+KFI1", "+KFF61", NULL, NULL);
+	for (int i = 0; i <= 60; i++)
+		assert_true(frames_clock(&f, &o, 1 + i) == (float)(1.0 / 60 * i));
+	f = frames("+KFI1", "+KFF37", "+KI0.1", "+KF0.7");
+	const double step = (double)(0.7f - 0.1f) / 36;
+	for (int i = 0; i <= 36; i++)
+		assert_true(frames_clock(&f, &o, 1 + i) == (float)((double)0.1f + step * i));
+}
+
 /* What the library is told */
 
 static double declared(const struct lambert_scene_options *s, const char *name)
@@ -380,11 +407,11 @@ static void regions_are_shares_or_numbers(void **state)
 static void impossible_settings_are_refused(void **state)
 {
 	(void)state;
-	static const char *const wrong[] = { "+W0", "+H-5", "+WT0", "+WT-1", "+BS3", "+C", "+RFI",
-		"+RFO", "+RTR", "+KLA", "--size=100000x100000" };
+	static const char *const wrong[] = { "+W0", "+H-5", "+WT0", "+WT-1", "+BS3", "+RFI", "+RFO",
+		"+RTR", "+KLA", "--size=100000x100000" };
 	for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
 		assert_false(reads("s.pov", wrong[i], NULL) && setup_check(&o));
-	assert_true(reads("s.pov", "-C", "-RFI", NULL) && setup_check(&o));
+	assert_true(reads("s.pov", "+C", "-RFI", NULL) && setup_check(&o));
 	assert_false(reads("+W5", NULL) && setup_check(&o));
 }
 
@@ -399,6 +426,111 @@ static void options_are_written_down(void **state)
 	assert_true(o.antialias_threshold == 0.1f);
 	assert_string_equal(o.input, "s.pov");
 	assert_int_equal(o.declaration_count, 1);
+}
+
+/* Whether two rows hold the same. */
+static bool same_value(
+	const struct option_row *row, const struct options *a, const struct options *b)
+{
+	const void *x = (const char *)a + row->field, *y = (const char *)b + row->field;
+	const char *s, *t;
+	switch (row->kind) {
+	case KIND_BOOL:
+		return *(const bool *)x == *(const bool *)y;
+	case KIND_INT:
+	case KIND_FLOAT:
+	case KIND_GAMMA:
+		return memcmp(x, y, 4) == 0;
+	case KIND_COUNT:
+		return memcmp(x, y, sizeof(double)) == 0;
+	case KIND_REGION:
+		return memcmp(x, y, sizeof a->region) == 0 && a->has_region == b->has_region;
+	case KIND_TYPE:
+		return a->output_type == b->output_type;
+	case KIND_TEXT:
+	case KIND_FILE:
+	case KIND_DITHER:
+	case KIND_PROGRESS:
+		s = *(const char *const *)x;
+		t = *(const char *const *)y;
+		return s == t || (s && t && strcmp(s, t) == 0);
+	case KIND_FOLDERS:
+		return ((const struct text_list *)x)->count == ((const struct text_list *)y)->count;
+	case KIND_LIBRARY:
+		return a->library.count == b->library.count;
+	case KIND_DECLARE:
+		return a->declaration_count == b->declaration_count;
+	default:
+		return true;
+	}
+}
+
+/* What arguments set is the same after it has been written down and read. */
+static void survives(const char *a, const char *b)
+{
+	assert_true(reads("s.pov", a, b, NULL));
+	assert_true(options_write_ini(&o, "t.ini"));
+	struct options first = o;
+	o.pool = (struct text_pool){ 0 };
+	assert_true(reads("t.ini", NULL));
+	for (size_t i = 0; i < option_count; i++)
+		if (option_rows[i].use == USE_USED && !same_value(&option_rows[i], &first, &o))
+			fail_msg("%s %s: %s is not what it was", a, b ? b : "", option_rows[i].ini);
+	options_finish(&first);
+}
+
+static const char *sample_value(enum option_kind kind)
+{
+	switch (kind) {
+	case KIND_BOOL:
+		return "on";
+	case KIND_TYPE:
+		return "J";
+	case KIND_DITHER:
+		return "D2";
+	case KIND_GAMMA:
+		return "1.2345678";
+	case KIND_FLOAT:
+		return "0.123456789";
+	case KIND_REGION:
+		return "\"1,2,3,4\"";
+	case KIND_PROGRESS:
+		return "lines";
+	case KIND_DECLARE:
+		return "'A=\"it; # one\"'";
+	case KIND_TEXT:
+	case KIND_FILE:
+	case KIND_LIBRARY:
+	case KIND_FOLDERS:
+		return "o'b c#;d";
+	default:
+		return "7";
+	}
+}
+
+static void every_option_survives(void **state)
+{
+	(void)state;
+	char argument[100];
+	for (size_t i = 0; i < option_count; i++) {
+		const struct option_row *row = &option_rows[i];
+		if (!*row->ini || row->use != USE_USED || row->kind == KIND_INI ||
+			row->kind == KIND_COMMAND || row->kind == KIND_RETIRED)
+			continue;
+		snprintf(argument, sizeof argument, "%s=%s", row->ini, sample_value(row->kind));
+		survives(argument, NULL);
+	}
+	static const char *const arguments[] = { "--antialias", "--antialias=2",
+		"--antialias=2:0.123456789", "--antialias=2:0.3:4", "--jitter=0.25", "--dither",
+		"--dither=B2", "--size=7x8", "--region=1,2,3,4", "--output=a b.tga", "--no-file-io",
+		"--allow-read=a b", "--allow-write=c", "--loop-limit=1e5", "--progress=bar",
+		"--stats=s.json", "--quiet", "--json", "--declare=A=b'c", "--alpha", "--grayscale",
+		"--clock=0.3", "--language-version=3.1", "--format=tga", "+A0.2", "-A0.2", "+J0.5",
+		"-J0.5", "+FN16", "-F", "+THD1", "+GDx y", "-GA", "+K0.1", "+KFI2", "+SC0.25",
+		"+WT3" };
+	for (size_t i = 0; i < sizeof arguments / sizeof *arguments; i++)
+		survives(arguments[i], NULL);
+	survives("+A0.2", "+FJ16");
 }
 
 /* The tests run in a folder of their own, without the user's INI files. */
@@ -458,10 +590,12 @@ int main(void)
 		cmocka_unit_test(library_paths_accumulate),
 		cmocka_unit_test(pictures_are_named_by_rules),
 		cmocka_unit_test(frames_follow_the_clock),
+		cmocka_unit_test(clocks_are_rounded_once),
 		cmocka_unit_test(scenes_see_identifiers),
 		cmocka_unit_test(regions_are_shares_or_numbers),
 		cmocka_unit_test(impossible_settings_are_refused),
 		cmocka_unit_test(options_are_written_down),
+		cmocka_unit_test(every_option_survives),
 	};
 	return cmocka_run_group_tests(tests, enter, leave);
 }

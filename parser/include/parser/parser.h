@@ -9,6 +9,7 @@
 #include "base/diag.h"
 #include "parser/ast.h"
 
+#include <limits.h>
 #include <stdio.h>
 
 /* An identifier made before the first token, as the option Declare=NAME=VALUE does. */
@@ -53,6 +54,7 @@ struct parse_options {
 	size_t read_path_count;
 	const char *const *write_paths; /* more folders a scene may write below */
 	size_t write_path_count;
+	struct scratch_files *scratch; /* where files go that the scene writes; NULL: to the disk */
 	bool no_short_ways;	/* leave every expression to the grammar: for tests */
 	double max_loop_tokens; /* give up after that many tokens; 0: no limit */
 	FILE *debug_stream;	/* where #debug, #warning … text goes, NULL: nowhere */
@@ -86,6 +88,17 @@ const char *file_find(const struct parse_options *, const char *name, const char
 
 /* The path of a file in a folder, "" the current one, as file_find spells it. */
 const char *file_in_folder(struct arena *, const char *folder, const char *name);
+
+/* The path of a file without links; the file need not exist yet, its folder must. */
+bool file_true_path(const char *path, char real[PATH_MAX]);
+
+/* Files in memory, for a scene that is only looked at (scratch.c). */
+struct scratch_files *scratch_create(void);
+void scratch_destroy(struct scratch_files *);
+/* What was written to a path; NULL: nothing, or `all` is NULL. Valid until it is written again. */
+const char *scratch_read(const struct scratch_files *all, const char *path, size_t *size);
+/* Begins to write; `real` is a path without links. NULL with errno set. */
+FILE *scratch_write(struct scratch_files *all, const char *real, bool append);
 
 /* Whether a scene may read the file: NULL, or the message why not. */
 const char *file_may_read(const struct parse_options *, const char *path, struct arena *);
