@@ -62,9 +62,10 @@ static void move_shape(struct lowering *l, struct draft *d, const transform *t)
 
 /* ---- compounds ---- */
 
+/* Of no children: no bound. */
 static box hull_of_children(const struct draft *d)
 {
-	box b = box_nothing();
+	box b = d->children ? box_nothing() : box_everything();
 	for (const struct draft *child = d->children; child; child = child->next)
 		b = box_union(b, whole(child->extent->box));
 	return b;

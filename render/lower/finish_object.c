@@ -468,6 +468,7 @@ static void collect_union(
 	free(members.items);
 }
 
+/* An intersection of nothing is everywhere: what it is a part of may need that. */
 static void collect_compound(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
@@ -479,7 +480,7 @@ static void collect_compound(
 			list_add(&members, collect_one(l, child, h));
 	}
 	const size_t unseen = collect_unseen(l, d, h, &members);
-	if (members.count) {
+	if (members.count || d->csg == CSG_INTERSECTION) {
 		struct object *o = wrap(l, d->csg, &members, unseen, h);
 		finish_cutting(l, d, h, o);
 		object_set_bounds(o);
@@ -501,7 +502,7 @@ static void collect_text(
 	struct object_list letters = { NULL, 0, 0 };
 	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
 	lower_text(l, d->node, &d->place, add_glyph, &glyphs);
-	if (letters.count) {
+	if (d->inverted) {
 		struct object *o = wrap(l, CSG_INTERSECTION, &letters, 0, h);
 		object_set_bounds(o);
 		list_add(out, o);
