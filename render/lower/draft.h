@@ -16,7 +16,7 @@ enum draft_kind {
 	DRAFT_TEXT,  /* node, place: becomes a union of glyphs */
 	DRAFT_CSG,   /* csg, children */
 	DRAFT_LIGHT, /* light */
-	DRAFT_GROUP, /* a light_group: children */
+	DRAFT_GROUP, /* a light_group: csg, children */
 };
 
 /* An interior under construction; shared by the children of a CSG object. */

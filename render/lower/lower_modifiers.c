@@ -50,10 +50,12 @@ bool draft_is_patch(const struct draft *d)
 {
 	if (d->kind == DRAFT_LIGHT || (d->kind == DRAFT_SHAPE && d->shape->is_patch))
 		return true;
-	for (const struct draft *child = d->children; child; child = child->next)
-		if (draft_is_patch(child))
+	for (const struct draft *child = d->children; child; child = child->next) {
+		const bool is_its_light = d->kind == DRAFT_GROUP && child->kind == DRAFT_LIGHT;
+		if (!is_its_light && draft_is_patch(child))
 			return true;
-	return d->kind == DRAFT_GROUP;
+	}
+	return false;
 }
 
 static void check_cutter(struct lowering *l, const struct node *item, const struct draft *d)
@@ -113,7 +115,7 @@ void draft_invert(struct lowering *l, struct draft *d)
 {
 	if (d->kind == DRAFT_SHAPE && d->shape->is_patch)
 		return;
-	if (d->kind == DRAFT_CSG) {
+	if (d->kind == DRAFT_CSG || d->kind == DRAFT_GROUP) {
 		d->csg = d->csg == CSG_INTERSECTION ? CSG_MERGE : CSG_INTERSECTION;
 		for (struct draft *child = d->children; child; child = child->next)
 			draft_invert(l, child);
