@@ -99,6 +99,8 @@ static void add_cutters(struct lowering *l, struct draft *d, const struct node *
 			keyword_name(n->keyword));
 	} else if (!node_child(n, clips ? K_BOUNDED_BY : K_CLIPPED_BY)) {
 		read_cutters(l, n, own);
+		if (clips && d->extent)
+			extent_clip(l, d);
 	} else if (*own) {
 		diag_error(l->diag, n->span, "%s has its own objects and cannot be linked as well",
 			keyword_name(n->keyword));
