@@ -109,7 +109,7 @@ static void add_letter(void *user, struct object *letter)
 static box hull_of_letters(struct lowering *l, const struct draft *d)
 {
 	box hull = box_nothing();
-	lower_text(l, d->node, NULL, add_letter, &hull);
+	lower_text(l, d->node, NULL, add_letter, add_letter, &hull);
 	return hull;
 }
 

@@ -501,7 +501,7 @@ static void collect_text(
 {
 	struct object_list letters = { NULL, 0, 0 };
 	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
-	lower_text(l, d->node, &d->place, add_glyph, &glyphs);
+	lower_text(l, d->node, &d->place, add_glyph, NULL, &glyphs);
 	if (d->inverted) {
 		struct object *o = wrap(l, CSG_INTERSECTION, &letters, 0, h);
 		object_set_bounds(o);

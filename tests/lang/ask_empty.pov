@@ -38,6 +38,7 @@ AskAll(difference { })
 AskAll(union { union { } merge { } })
 AskAll(intersection { union { } intersection { } })
 AskAll(merge { intersection { } union { } })
+AskAll(text { ttf "timrom.ttf" " " 1, 0 })
 // What has only lights may not be asked for its inside.
 #macro AskLights(O)
 	Ask(difference { sphere { S } object { O } })
