@@ -97,7 +97,7 @@ static bool passage_open(struct passage *p, double *tmin, double *tmax)
 	const bool cuts = csg->kind == CSG_INTERSECTION;
 	for (size_t i = 0; i < csg->count; i++) {
 		const struct object *child = csg->children[i];
-		const bool bounds = cuts && !child->inverted;
+		const bool bounds = cuts && !child->inverted && !child->reaches_out;
 		if (has_chord(csg, i)) {
 			struct chord *c = &p->chords[i];
 			if (!object_chord(child, p->ray, c)) {
