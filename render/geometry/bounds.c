@@ -99,7 +99,8 @@ static box cut(box b, const struct object *whole, const struct object *const *ob
 		const struct object *o = objects[i];
 		if (o->inverted)
 			continue;
-		b = box_intersection(b, o->bounds);
+		if (!o->reaches_out)
+			b = box_intersection(b, o->bounds);
 		n = half_spaces_of(o, list, n);
 	}
 	if (n == 0 || box_is_empty(b))
@@ -132,12 +133,27 @@ static box box_widened(box b)
 		{ widened(b.hi.x, more, 1), widened(b.hi.y, more, 1), widened(b.hi.z, more, 1) } };
 }
 
+/* Of an intersection, all that is within the others is taken in by its bounds. */
+static bool reaches_out(const struct object *o)
+{
+	if (o->shape != &shape_csg)
+		return o->shape->reaches_out;
+	const struct csg *csg = o->self;
+	const size_t count = csg->kind == CSG_INTERSECTION ? 0 : csg->count + csg->unseen;
+	for (size_t i = 0; i < count; i++) {
+		if (csg->children[i]->reaches_out)
+			return true;
+	}
+	return false;
+}
+
 void object_set_bounds(struct object *o)
 {
 	const struct shape_class *shape = o->shape;
 	const struct object_extras *e = o->extras;
 	o->has_chord = shape->chord && !(e && e->clip_count) &&
 		       (!shape->has_chord || shape->has_chord(o->self));
+	o->reaches_out = reaches_out(o);
 	box b = shape->bounds(o->self);
 	if (o->place && !box_is_empty(b))
 		b = transform_box(o->place, b);

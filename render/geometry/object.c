@@ -236,11 +236,12 @@ bool object_is_solid(const struct object *o)
 	if (o->shape != &shape_csg)
 		return o->shape->inside != NULL;
 	const struct csg *csg = o->self;
-	for (size_t i = 0; i < csg->count + csg->unseen; i++) {
+	const size_t count = csg->count + csg->unseen;
+	for (size_t i = 0; i < count; i++) {
 		if (object_is_solid(csg->children[i]))
 			return true;
 	}
-	return false;
+	return count == 0;
 }
 
 vec3 object_normal(const struct hit *hit, vec3 p)

@@ -62,12 +62,22 @@ static void move_shape(struct lowering *l, struct draft *d, const transform *t)
 
 /* ---- compounds ---- */
 
+/* Of no children: no bound. */
 static box hull_of_children(const struct draft *d)
 {
-	box b = box_nothing();
+	box b = d->children ? box_nothing() : box_everything();
 	for (const struct draft *child = d->children; child; child = child->next)
 		b = box_union(b, whole(child->extent->box));
 	return b;
+}
+
+/* The part of b that the inside of a shape may reach. */
+static box reached(struct lowering *l, const struct draft *d, box b)
+{
+	void *moved;
+	if (!d->shape || !d->shape->extent_within || !absorbs(l, d, &d->place, &moved))
+		return b;
+	return box_intersection(b, d->shape->extent_within(moved, b));
 }
 
 static bool is_counted(const struct draft *child)
@@ -84,10 +94,8 @@ static box common_of_children(struct lowering *l, const struct draft *d)
 			b = box_intersection(b, child->extent->box);
 	}
 	for (const struct draft *child = d->children; child; child = child->next) {
-		void *moved;
-		if (is_counted(child) && child->shape && child->shape->extent_within &&
-			absorbs(l, child, &child->place, &moved))
-			b = child->shape->extent_within(moved, b);
+		if (is_counted(child))
+			b = reached(l, child, b);
 	}
 	return b;
 }
@@ -101,7 +109,7 @@ static void add_letter(void *user, struct object *letter)
 static box hull_of_letters(struct lowering *l, const struct draft *d)
 {
 	box hull = box_nothing();
-	lower_text(l, d->node, NULL, add_letter, &hull);
+	lower_text(l, d->node, NULL, add_letter, add_letter, &hull);
 	return hull;
 }
 
@@ -158,20 +166,33 @@ void extent_invert(struct lowering *l, struct draft *d)
 		d->extent->inverted = !d->extent->inverted;
 }
 
-static void cut_by(struct extent *e, const struct draft *list)
+/* What the boxes of the cutters have in common: of planes as well, or only of what is bounded. */
+static box common_of_cutters(const struct draft *list, bool with_planes)
 {
 	box b = box_everything();
 	for (; list; list = list->next) {
+		const box own = list->extent->box;
 		if (!list->extent->inverted)
-			b = box_intersection(b, list->extent->box);
+			b = box_intersection(b, with_planes ? own : whole(own));
 	}
+	return b;
+}
+
+static void replace_if_smaller(struct extent *e, box b)
+{
 	if (!box_is_empty(b) && volume(b) < (1 - SAME) * volume(whole(e->box)))
 		e->box = b;
 }
 
+void extent_clip(struct lowering *l, struct draft *d)
+{
+	if (d->shape && d->shape->extent_within)
+		replace_if_smaller(d->extent, reached(l, d, common_of_cutters(d->clips, true)));
+}
+
 void extent_cut(struct draft *d)
 {
-	cut_by(d->extent, d->clips);
+	replace_if_smaller(d->extent, common_of_cutters(d->clips, false));
 	if (!d->bounds_are_clips)
-		cut_by(d->extent, d->bounds);
+		replace_if_smaller(d->extent, common_of_cutters(d->bounds, false));
 }

@@ -468,6 +468,7 @@ static void collect_union(
 	free(members.items);
 }
 
+/* An intersection of nothing is everywhere: what it is a part of may need that. */
 static void collect_compound(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
@@ -479,7 +480,7 @@ static void collect_compound(
 			list_add(&members, collect_one(l, child, h));
 	}
 	const size_t unseen = collect_unseen(l, d, h, &members);
-	if (members.count) {
+	if (members.count || d->csg == CSG_INTERSECTION) {
 		struct object *o = wrap(l, d->csg, &members, unseen, h);
 		finish_cutting(l, d, h, o);
 		object_set_bounds(o);
@@ -500,8 +501,8 @@ static void collect_text(
 {
 	struct object_list letters = { NULL, 0, 0 };
 	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
-	lower_text(l, d->node, &d->place, add_glyph, &glyphs);
-	if (letters.count) {
+	lower_text(l, d->node, &d->place, add_glyph, NULL, &glyphs);
+	if (d->inverted) {
 		struct object *o = wrap(l, CSG_INTERSECTION, &letters, 0, h);
 		object_set_bounds(o);
 		list_add(out, o);
@@ -530,7 +531,8 @@ static void collect_light(struct lowering *l, struct draft *d, const struct heri
 	}
 }
 
-/* A light_group: its own lights shine on its objects only. */
+/* A light_group: its own lights shine on its objects only. Turned inside out it is what all of them
+ * turned inside out have in common. */
 static void collect_group(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
@@ -546,12 +548,21 @@ static void collect_group(
 	struct heritage own = *h;
 	own.lights = lights;
 	own.global_lights = d->global_lights;
+	struct object_list members = { NULL, 0, 0 };
 	for (struct draft *child = d->children; child; child = child->next) {
-		if (child->kind != DRAFT_LIGHT)
-			collect(l, child, &own, out);
-		else if (!h->is_repeat)
+		if (child->kind == DRAFT_LIGHT && !h->is_repeat)
 			collect_light(l, child, h, true, out);
+		else if (child->kind != DRAFT_LIGHT && d->csg == CSG_UNION)
+			collect(l, child, &own, out);
+		else if (child->kind != DRAFT_LIGHT)
+			list_add(&members, collect_one(l, child, &own));
 	}
+	if (d->csg != CSG_UNION) {
+		struct object *o = wrap(l, d->csg, &members, 0, &own);
+		object_set_bounds(o);
+		list_add(out, o);
+	}
+	free(members.items);
 }
 
 static void collect(

@@ -50,10 +50,12 @@ bool draft_is_patch(const struct draft *d)
 {
 	if (d->kind == DRAFT_LIGHT || (d->kind == DRAFT_SHAPE && d->shape->is_patch))
 		return true;
-	for (const struct draft *child = d->children; child; child = child->next)
-		if (draft_is_patch(child))
+	for (const struct draft *child = d->children; child; child = child->next) {
+		const bool is_its_light = d->kind == DRAFT_GROUP && child->kind == DRAFT_LIGHT;
+		if (!is_its_light && draft_is_patch(child))
 			return true;
-	return d->kind == DRAFT_GROUP;
+	}
+	return false;
 }
 
 static void check_cutter(struct lowering *l, const struct node *item, const struct draft *d)
@@ -97,6 +99,8 @@ static void add_cutters(struct lowering *l, struct draft *d, const struct node *
 			keyword_name(n->keyword));
 	} else if (!node_child(n, clips ? K_BOUNDED_BY : K_CLIPPED_BY)) {
 		read_cutters(l, n, own);
+		if (clips && d->extent)
+			extent_clip(l, d);
 	} else if (*own) {
 		diag_error(l->diag, n->span, "%s has its own objects and cannot be linked as well",
 			keyword_name(n->keyword));
@@ -113,7 +117,7 @@ void draft_invert(struct lowering *l, struct draft *d)
 {
 	if (d->kind == DRAFT_SHAPE && d->shape->is_patch)
 		return;
-	if (d->kind == DRAFT_CSG) {
+	if (d->kind == DRAFT_CSG || d->kind == DRAFT_GROUP) {
 		d->csg = d->csg == CSG_INTERSECTION ? CSG_MERGE : CSG_INTERSECTION;
 		for (struct draft *child = d->children; child; child = child->next)
 			draft_invert(l, child);

@@ -261,8 +261,35 @@ struct setting {
 	double x, y; /* where the next letter stands */
 	const transform *place;
 	void (*emit)(void *user, struct object *);
+	void (*emit_blank)(void *user, struct object *); /* NULL: blanks do not matter */
 	void *user;
 };
+
+static struct object *glyph_object(
+	struct setting *s, const struct glyph_segment *segments, size_t count, double overhang)
+{
+	struct lowering *l = s->lowering;
+	struct glyph *g = ARENA_NEW(l->arena, struct glyph);
+	g->segments = segments;
+	g->count = count;
+	g->thickness = s->thickness;
+	g->overhang = overhang;
+	glyph_finish(g);
+	struct object *o = arena_pack(l->arena, sizeof *o);
+	o->shape = &shape_glyph;
+	o->self = g;
+	o->place = s->place;
+	return o;
+}
+
+/* A blank is a letter whose outline is the point where it stands. */
+static void set_blank(struct setting *s, double x, double y)
+{
+	struct glyph_segment *point = ARENA_NEW(s->lowering->arena, struct glyph_segment);
+	*point = (struct glyph_segment){ { x, x, x }, { y, y, y }, false };
+	if (s->emit_blank)
+		s->emit_blank(s->user, glyph_object(s, point, 1, 0));
+}
 
 static void set_outline(struct setting *s, double dx, double dy, double overhang)
 {
@@ -283,17 +310,7 @@ static void set_outline(struct setting *s, double dx, double dy, double overhang
 		return;
 	pen.segments = ARENA_ARRAY(l->arena, pen.count, struct glyph_segment);
 	trace_outline(outline, &pen);
-	struct glyph *g = ARENA_NEW(l->arena, struct glyph);
-	g->segments = pen.segments;
-	g->count = pen.count;
-	g->thickness = s->thickness;
-	g->overhang = overhang;
-	glyph_finish(g);
-	struct object *o = arena_pack(l->arena, sizeof *o);
-	o->shape = &shape_glyph;
-	o->self = g;
-	o->place = s->place;
-	s->emit(s->user, o);
+	s->emit(s->user, glyph_object(s, pen.segments, pen.count, overhang));
 }
 
 static double kerning(const struct setting *s, FT_UInt left, FT_UInt right)
@@ -328,7 +345,9 @@ static void set_letter(struct setting *s, unsigned code, bool first, FT_UInt bef
 	const double advance = (double)slot->metrics.horiAdvance * s->unit;
 	const double start = ink_start(s->face, index, bearing);
 	const double kern = first ? 0 : kerning(s, before, index);
-	if (code != ' ' && has_ink && FT_Load_Glyph(s->face, index, FT_LOAD_NO_SCALE) == 0)
+	if (code == ' ')
+		set_blank(s, first ? 0 : s->x + kern, s->y);
+	else if (has_ink && FT_Load_Glyph(s->face, index, FT_LOAD_NO_SCALE) == 0)
 		set_outline(
 			s, first ? -start : s->x + bearing - start + kern, s->y, fmax(0, -start));
 	s->x += advance + (first ? -bearing : kern) + s->offset.x;
@@ -367,7 +386,8 @@ static bool set_text(struct setting *s, const char *path, const char *text)
 }
 
 bool lower_text(struct lowering *l, const struct node *n, const transform *place,
-	void (*emit)(void *user, struct object *), void *user)
+	void (*emit)(void *user, struct object *), void (*emit_blank)(void *user, struct object *),
+	void *user)
 {
 	if (n->arg_count < 4 || n->args[1].kind != ARG_STRING) {
 		diag_error(
@@ -388,6 +408,7 @@ bool lower_text(struct lowering *l, const struct node *n, const transform *place
 		.offset = lower_vector(l, n, 3, "an offset"),
 		.place = arena_copy(l->arena, &tilted, sizeof tilted),
 		.emit = emit,
+		.emit_blank = emit_blank,
 		.user = user,
 	};
 	return set_text(&s, path, n->args[1].string);

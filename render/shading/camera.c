@@ -10,7 +10,8 @@ bool camera_ray(
 	const struct camera *c, double x, double y, unsigned width, unsigned height, ray *out)
 {
 	const double s = (x + 0.5) / width - 0.5;
-	const double t = 0.5 - (y + 0.5) / height;
+	/* counted from below, or rounding puts the exact horizon on another side than POV-Ray's does */
+	const double t = (height - 0.5 - y) / height - 0.5;
 	const vec3 across = vec_add(vec_scale(c->right, s), vec_scale(c->up, t));
 
 	switch (c->type) {

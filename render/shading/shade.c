@@ -181,7 +181,10 @@ static void passage_find(const struct worker *w, const struct point *at,
 		out->direction = mirror_direction(v, stack->top_normal, at->surface.geometric);
 	}
 
-	rgb factor = rgb_grey(texture->layers[0].finish->refraction);
+	const struct finish *f = texture->layers[0].finish;
+	rgb factor = rgb_grey(f->refraction);
+	if (out->total && f->irid > 0)
+		factor = rgb_mul(factor, irid_factor(w, at, f, stack->top_normal, out->direction));
 	if (containment_has(inside, interior))
 		factor = rgb_mul(factor, interior_fading(interior, at->depth));
 	out->weight = rgb_max_abs(stack->tint);

@@ -17,7 +17,7 @@
 static box csg_bounds(const void *self)
 {
 	const struct csg *csg = self;
-	if (csg->count > 0 && csg->kind == CSG_INTERSECTION)
+	if (csg->kind == CSG_INTERSECTION)
 		return box_cut(box_everything(), csg->children, csg->count);
 	box b = box_nothing();
 	for (size_t i = 0; i < csg->count + csg->unseen; i++) {
@@ -37,7 +37,7 @@ static bool csg_inside(const void *self, vec3 p)
 		if (object_inside(csg->children[i], p) == decides)
 			return decides;
 	}
-	return !decides && csg->count > 0;
+	return !decides;
 }
 
 /* ---- kept unions ---- */
@@ -97,7 +97,7 @@ static bool passage_open(struct passage *p, double *tmin, double *tmax)
 	const bool cuts = csg->kind == CSG_INTERSECTION;
 	for (size_t i = 0; i < csg->count; i++) {
 		const struct object *child = csg->children[i];
-		const bool bounds = cuts && !child->inverted;
+		const bool bounds = cuts && !child->inverted && !child->reaches_out;
 		if (has_chord(csg, i)) {
 			struct chord *c = &p->chords[i];
 			if (!object_chord(child, p->ray, c)) {

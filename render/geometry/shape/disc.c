@@ -88,6 +88,15 @@ static bool disc_inside(const void *self, vec3 p)
 	return transform_point_back(&d->frame, p).z < 0;
 }
 
+static size_t disc_half_spaces(const void *self, struct half_space *out)
+{
+	const struct disc *d = self;
+	const vec3 centre = transform_point(&d->frame, vec(0, 0, 0));
+	const vec3 n = vec_normalize(transform_normal(&d->frame, vec(0, 0, 1)));
+	out[0] = (struct half_space){ n, vec_dot(n, centre) };
+	return 1;
+}
+
 static vec3 disc_normal(const void *self, const struct hit *hit, vec3 p)
 {
 	const struct disc *d = self;
@@ -101,11 +110,13 @@ const struct shape_class shape_disc = {
 	.size = sizeof(struct disc),
 	.params = disc_params,
 	.build = disc_build,
+	.reaches_out = true,
 	.absorb = disc_absorb,
 	.bounds = disc_bounds,
 	.extent = disc_extent,
 	.nearest = disc_nearest,
 	.hits = disc_hits,
+	.half_spaces = disc_half_spaces,
 	.inside = disc_inside,
 	.normal = disc_normal,
 };

@@ -271,50 +271,112 @@ static bool quadric_chord(const void *self, const ray *r, struct chord *chord)
 	return true;
 }
 
-/* The least value of s t² + l t between lo and hi. */
-static double least_term(double s, double l, double lo, double hi)
+/* ---- the box that the language tells of ---- */
+
+/* Coefficients below this are none. */
+#define NO_COEFFICIENT 1e-10
+/* A box longer than this is no bound. */
+#define LONGEST 1e6
+
+/* A quadric without mixed terms about its centre: more squares are positive than negative. */
+struct centred {
+	double square[3], linear[3];
+	double centre[3], constant;
+	int positive, negative; /* squares */
+	int odd;		/* the last axis whose square is not positive */
+};
+
+static double cleaned(double x)
 {
-	if (s > 0) {
-		const double t = fmin(fmax(-0.5 * l / s, lo), hi);
-		return t * (s * t + l);
-	}
-	if ((hi >= BOX_UNBOUNDED && (s < 0 || l < 0)) || (lo <= -BOX_UNBOUNDED && (s < 0 || l > 0)))
-		return -INFINITY;
-	return fmin(lo * (s * lo + l), hi * (s * hi + l));
+	return fabs(x) < NO_COEFFICIENT ? 0 : x;
 }
 
-/* Cuts lo to hi to where s t² + l t + rest <= 0 is possible. */
-static void cut_interval(double s, double l, double rest, double *lo, double *hi)
+/* Along an axis without a square the centre is POV-Ray's, which is the apex of a paraboloid with the
+ * other sign, and hides the constant. */
+static struct centred centred_at(const struct quadric *q)
 {
-	if (!isfinite(rest) || s < 0)
-		return;
-	if (s > 0) {
-		const double middle = -0.5 * l / s;
-		const double reach = sqrt(fmax(0, middle * middle - rest / s));
-		*lo = fmax(*lo, middle - reach);
-		*hi = fmin(*hi, middle + reach);
-	} else if (l > 0) {
-		*hi = fmin(*hi, -rest / l);
-	} else if (l < 0) {
-		*lo = fmax(*lo, -rest / l);
+	const vec3 s = q->squares, l = q->linear;
+	struct centred c = { { cleaned(s.x), cleaned(s.y), cleaned(s.z) },
+		{ cleaned(l.x), cleaned(l.y), cleaned(l.z) }, { 0 }, q->constant, 0, 0, 0 };
+	for (int i = 0; i < 3; i++) {
+		if (c.square[i] != 0) {
+			c.centre[i] = -0.5 * c.linear[i] / c.square[i];
+			c.constant -= c.square[i] * c.centre[i] * c.centre[i];
+		} else if (c.linear[i] != 0 && q->constant != 0) {
+			c.centre[i] = q->constant / c.linear[i];
+			c.constant -= q->constant;
+		}
+	}
+	c.constant = cleaned(c.constant);
+	return c;
+}
+
+/* Inside out it has the same box. */
+static void centred_orient(struct centred *c)
+{
+	double sum = 0;
+	for (int i = 0; i < 3; i++)
+		sum += (c->square[i] > 0) - (c->square[i] < 0);
+	const double sign = c->constant > 0 || (c->constant == 0 && sum < 0) ? -1 : 1;
+	c->constant *= sign;
+	for (int i = 0; i < 3; i++) {
+		c->square[i] *= sign;
+		c->linear[i] *= sign;
+		c->positive += c->square[i] > 0;
+		c->negative += c->square[i] < 0;
+		if (!(c->square[i] > 0))
+			c->odd = i;
 	}
 }
 
+/* How large the sum of the positive terms gets where the odd coordinate is between lo and hi, which a
+ * paraboloid narrows to its own side; NAN if that is not known. Of hyperboloids of any size POV-Ray takes
+ * the waist for that of the constant -1. */
+static double centred_reach(const struct centred *c, double *lo, double *hi)
+{
+	const double from = *lo - c->centre[c->odd], to = *hi - c->centre[c->odd];
+	if (c->positive == 3 || (c->positive == 2 && c->negative == 0 && c->constant != 0))
+		return c->constant < 0 ? -c->constant : NAN;
+	if (c->positive == 2 && c->negative == 1) {
+		const double far = fmax(fabs(from), fabs(to));
+		return (c->constant != 0) - c->square[c->odd] * far * far;
+	}
+	const double slope = c->linear[c->odd];
+	if (c->positive != 2 || slope == 0)
+		return NAN;
+	if (slope < 0)
+		*lo = fmax(*lo, c->centre[c->odd]);
+	else
+		*hi = fmin(*hi, c->centre[c->odd]);
+	return fabs(slope * (slope < 0 ? to : from));
+}
+
+/* As POV-Ray finds it, not always rightly; scenes place things by it. */
 static box quadric_extent_within(const void *self, box b)
 {
 	const struct quadric *q = self;
-	const vec3 s = q->squares, l = q->linear;
-	if (q->has_mixed)
+	if (cleaned(q->mixed.x) != 0 || cleaned(q->mixed.y) != 0 || cleaned(q->mixed.z) != 0)
 		return b;
-	double x = least_term(s.x, l.x, b.lo.x, b.hi.x);
-	double y = least_term(s.y, l.y, b.lo.y, b.hi.y);
-	const double z = least_term(s.z, l.z, b.lo.z, b.hi.z);
-	cut_interval(s.x, l.x, q->constant + y + z, &b.lo.x, &b.hi.x);
-	x = least_term(s.x, l.x, b.lo.x, b.hi.x);
-	cut_interval(s.y, l.y, q->constant + x + z, &b.lo.y, &b.hi.y);
-	y = least_term(s.y, l.y, b.lo.y, b.hi.y);
-	cut_interval(s.z, l.z, q->constant + x + y, &b.lo.z, &b.hi.z);
-	return b;
+	struct centred c = centred_at(q);
+	centred_orient(&c);
+	double lo[3] = { b.lo.x, b.lo.y, b.lo.z }, hi[3] = { b.hi.x, b.hi.y, b.hi.z };
+	const double reach = centred_reach(&c, &lo[c.odd], &hi[c.odd]);
+	if (isnan(reach))
+		return b;
+	for (int i = 0; i < 3; i++) {
+		if (c.square[i] > 0) {
+			lo[i] = fmax(lo[i], c.centre[i] - sqrt(reach / c.square[i]));
+			hi[i] = fmin(hi[i], c.centre[i] + sqrt(reach / c.square[i]));
+		}
+		if (hi[i] - lo[i] > LONGEST)
+			return box_everything();
+	}
+	return (box){ vec(lo[0], lo[1], lo[2]), vec(hi[0], hi[1], hi[2]) };
+}
+
+static box quadric_extent(const void *self, const transform *place)
+{
+	return box_placed(quadric_extent_within(self, box_everything()), place);
 }
 
 static bool quadric_inside(const void *self, vec3 p)
@@ -338,6 +400,7 @@ const struct shape_class shape_quadric = {
 	.build = quadric_build,
 	.absorb = quadric_absorb,
 	.bounds = quadric_bounds,
+	.extent = quadric_extent,
 	.extent_within = quadric_extent_within,
 	.moves_extent = true,
 	.nearest = quadric_nearest,

@@ -65,6 +65,7 @@ struct object {
 	bool hollow, double_illuminate;
 	bool uv_mapping;
 	bool has_chord;	    /* object_chord may be asked; set with the bounds */
+	bool reaches_out;   /* its inside goes on beyond the bounds; set with them */
 	bool normal_stays;  /* raw normal is not negated by `inverted` (quadric) */
 	bool global_lights; /* lit by the scene's lights */
 	const struct texture *texture;

@@ -81,6 +81,7 @@ struct shape_class {
 	const struct param *params; /* NULL: lowering has its own file for this shape */
 	bool is_patch;		    /* has no inside */
 	bool is_compound;	    /* children are objects and hits already name their leaf */
+	bool reaches_out;	    /* its inside goes on beyond its bounds (disc) */
 	bool is_convex;		    /* holds every segment between two of its points */
 	bool moves_extent;	    /* transformations move its extent instead of making it anew */
 	bool keeps_normal_inverted; /* `inverse` does not negate the raw normal (plane, quadric) */
@@ -115,7 +116,7 @@ struct shape_class {
 	bool (*chord)(const void *self, const ray *, struct chord *);
 	/* Whether chord may be asked of this instance. NULL: always. */
 	bool (*has_chord)(const void *self);
-	/* For unbounded shapes: half-spaces that hold the inside and what is hit, at most
+	/* For shapes with an unbounded inside: half-spaces that hold the inside and what is hit, at most
 	 * SHAPE_HALF_SPACES; their count. */
 	size_t (*half_spaces)(const void *self, struct half_space *);
 	/* Whether a point of the surface counts is the language's choice, shape by shape. NULL for

@@ -16,7 +16,7 @@ enum draft_kind {
 	DRAFT_TEXT,  /* node, place: becomes a union of glyphs */
 	DRAFT_CSG,   /* csg, children */
 	DRAFT_LIGHT, /* light */
-	DRAFT_GROUP, /* a light_group: children */
+	DRAFT_GROUP, /* a light_group: csg, children */
 };
 
 /* An interior under construction; shared by the children of a CSG object. */
@@ -96,9 +96,10 @@ bool draft_takes_flag(const struct draft *, const struct node *item);
 
 /* extent.c: gives the draft its extent, if the lowering keeps them; its shape or children are there. */
 void extent_begin(struct lowering *, struct draft *);
-/* Of drafts that have one: moved, turned inside out, at the end of their modifiers. */
+/* Of drafts that have one: moved, turned inside out, clipped once more, at the end of their modifiers. */
 void extent_move(struct lowering *, struct draft *, const transform *);
 void extent_invert(struct lowering *, struct draft *);
+void extent_clip(struct lowering *, struct draft *);
 void extent_cut(struct draft *);
 
 /* lower_light.c */
