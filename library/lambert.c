@@ -318,16 +318,19 @@ static bool forward_progress(void *user, unsigned done, unsigned all)
 	return !o->progress || o->progress(o->user, all ? (double)done / all : 1);
 }
 
-static struct exposure exposure_for(const lambert_scene *s, const struct lambert_render_options *o)
+static struct block region_of(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	const bool whole = !(o->left | o->top | o->right | o->bottom);
+	return (struct block){ o->left, o->top, whole ? s->width : o->right,
+		whole ? s->height : o->bottom };
+}
+
+static struct exposure exposure_for(const lambert_scene *s, const struct lambert_render_options *o)
+{
 	return (struct exposure){
 		.antialias = { o->antialias_method, o->antialias_threshold, o->antialias_depth,
 			o->antialias_jitter, o->antialias_gamma },
-		.left = o->left,
-		.top = o->top,
-		.right = whole ? s->width : o->right,
-		.bottom = whole ? s->height : o->bottom,
+		.region = region_of(s, o),
 		.block_size = o->block_size,
 		.threads = thread_count(o->threads),
 		.progress = forward_progress,
@@ -338,8 +341,8 @@ static struct exposure exposure_for(const lambert_scene *s, const struct lambert
 lambert_image *lambert_render(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	const double cpu = cpu_seconds(), wall = wall_seconds();
-	struct film *film = film_create(s->width, s->height);
 	const struct exposure e = exposure_for(s, o);
+	struct film *film = film_create_part(s->width, s->height, e.region);
 	struct trace_stats stats = { 0 };
 	const bool complete = film_expose(film, s->scene, &e, &stats);
 	if (o->stats)

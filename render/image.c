@@ -88,14 +88,24 @@ static float file_gamma(const struct image_encoding *e)
 						     : 2.2f;
 }
 
-/* The encoded picture; its samples are the caller's to free. */
-static struct raster develop(const struct film *film, const struct image_encoding *e)
+static void raster_row(void *encoder, unsigned y, void *samples)
 {
-	struct raster r = {
+	encoder_row(encoder, y, samples);
+}
+
+/* The encoded picture. */
+static struct raster raster_of(
+	const struct film *film, const struct image_encoding *e, struct encoder *encoder)
+{
+	return (struct raster){
 		.width = film->width,
 		.height = film->height,
 		.channels = encode_channels(e),
+		.sample_bits = formats[e->format].is_float ? 32 : e->bits <= 8 ? 8 : 16,
 		.bits = e->bits,
+		.row = raster_row,
+		.source = encoder,
+		.row_bytes = encoder_row_bytes(encoder),
 		.gamma = file_gamma(e),
 		.is_srgb = e->file.transfer == TRANSFER_SRGB || e->file.transfer == TRANSFER_NONE,
 		.is_premultiplied = e->format == IMAGE_EXR,
@@ -103,16 +113,6 @@ static struct raster develop(const struct film *film, const struct image_encodin
 			   : e->quality > 100 ? 100
 					      : e->quality,
 	};
-	const bool is_float = formats[e->format].is_float;
-	r.sample_bits = is_float ? 32 : e->bits <= 8 ? 8 : 16;
-	const size_t count = (size_t)r.width * r.height * r.channels;
-	void *samples = memory_alloc(count, (size_t)r.sample_bits / 8);
-	if (is_float)
-		encode_linear(film, e, samples);
-	else
-		encode_codes(film, e, samples);
-	r.samples = samples;
-	return r;
 }
 
 /* The file under way */
@@ -289,10 +289,11 @@ bool image_write(const struct film *film, const struct image_encoding *wanted, c
 	const struct format *f = &formats[e.format];
 	if (e.grayscale && !f->grayscale)
 		return fail(why, "%s has no grayscale here; PNG and PPM have", f->name);
-	const struct raster r = develop(film, &e);
+	struct encoder *encoder = encoder_create(film, &e, f->is_float);
+	const struct raster r = raster_of(film, &e, encoder);
 	const bool ok =
 		strcmp(path, "-") == 0 ? write_stdout(&r, f, why) : write_file(path, &r, f, why);
-	free((void *)r.samples);
+	encoder_destroy(encoder);
 	return ok;
 }
 

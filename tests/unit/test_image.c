@@ -40,6 +40,15 @@ static struct film *film_of(unsigned width, unsigned height, colour c)
 	return film;
 }
 
+/* The codes of a whole film. */
+static void encode_codes(const struct film *film, const struct image_encoding *e, void *codes)
+{
+	struct encoder *encoder = encoder_create(film, e, false);
+	for (unsigned y = 0; y < film->height; y++)
+		encoder_row(encoder, y, (char *)codes + y * encoder_row_bytes(encoder));
+	encoder_destroy(encoder);
+}
+
 /* The 8-bit code of a grey of this value. */
 static unsigned code(const struct image_encoding *e, float value)
 {
