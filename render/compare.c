@@ -167,7 +167,7 @@ static bool write_heatmap(const struct image *a, const struct image *b, const ch
 	}
 	const struct image_encoding plain = { .format = IMAGE_PNG, .bits = 8 };
 	const char *why = NULL;
-	const bool ok = image_write(film, &plain, path, &why);
+	const bool ok = image_write(film, &plain, path, NULL, NULL, &why);
 	film_destroy(film);
 	if (!ok)
 		complain(message, user, "the heat map %s cannot be written: %s", path, why);

@@ -44,7 +44,7 @@ struct session {
 	const struct exposure *exposure;
 	unsigned block_size;
 	unsigned first_column, first_row, columns, rows; /* of blocks */
-	struct worker **workers; /* one of each per thread */
+	struct worker **workers;			 /* one of each per thread */
 	struct sampler *samplers;
 	pthread_mutex_t lock; /* of `done` and the progress function */
 	unsigned done;

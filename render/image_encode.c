@@ -334,7 +334,7 @@ struct encoder {
 	struct code_table *table;     /* for up to 8 bits without dithering */
 	struct diffusion diffusion;   /* with dithering */
 	colour *pixels;		      /* of a row that the film does not keep as a whole */
-	void *black;		      /* a row without pixels of the film, as encoded; NULL: none yet */
+	void *black; /* a row without pixels of the film, as encoded; NULL: none yet */
 	size_t row_bytes;
 };
 
@@ -348,7 +348,7 @@ static void plain_row(const struct encoder *c, const colour *pixels, void *codes
 		for (unsigned i = 0; i < c->channels; i++) {
 			const unsigned code = i >= c->colours ? quantise(s[i], maximum)
 					      : c->table      ? table_code(c->table, s[i])
-						      : quantise(encode_value(e, s[i]), maximum);
+							 : quantise(encode_value(e, s[i]), maximum);
 			put_code(e, codes, x * c->channels + i, code);
 		}
 	}
@@ -442,9 +442,9 @@ struct encoder *encoder_create(
 		.working = simplified(e->working) };
 	c->colours = c->channels - (e->alpha ? 1 : 0);
 	c->row_bytes = (size_t)film->width * c->channels *
-		       (is_float      ? sizeof(float)
-			: e->bits > 8 ? sizeof(uint16_t)
-				      : sizeof(uint8_t));
+		       (is_float	     ? sizeof(float)
+			       : e->bits > 8 ? sizeof(uint16_t)
+					     : sizeof(uint8_t));
 	c->pixels = memory_alloc(film->width, sizeof *c->pixels);
 	if (!is_float && e->dither == DITHER_NONE && e->bits <= 8) {
 		c->table = memory_alloc(1, sizeof *c->table);

@@ -17,8 +17,7 @@ unsigned encode_channels(const struct image_encoding *);
  * Codes 0 … 2^bits - 1, channels interleaved: bytes for up to 8 bits, else uint16_t. Floats, for
  * formats that store numbers: linear light, premultiplied, without clipping or dithering. */
 struct encoder;
-struct encoder *encoder_create(
-	const struct film *, const struct image_encoding *, bool is_float);
+struct encoder *encoder_create(const struct film *, const struct image_encoding *, bool is_float);
 void encoder_destroy(struct encoder *);
 /* Of an encoded row. */
 size_t encoder_row_bytes(const struct encoder *);

@@ -21,7 +21,8 @@ struct raster {
 	unsigned width, height, channels;
 	int sample_bits; /* 8, 16, or 32 for floats */
 	int bits;	 /* that mean something */
-	void (*row)(void *source, unsigned y, void *samples); /* asked for in order from 0 */
+	bool (*row)(void *source, unsigned y,
+		void *samples); /* asked for in order from 0; false: stop */
 	void *source;
 	size_t row_bytes;
 	float gamma; /* of the file; 2.2 for sRGB */

@@ -72,7 +72,8 @@ bool write_rows(ImageOutput &out, const raster &r)
 	for (unsigned y = 0; y < r.height; y += ROWS) {
 		const unsigned end = std::min(y + ROWS, r.height);
 		for (unsigned i = y; i < end; i++)
-			r.row(r.source, i, &rows[(i - y) * r.row_bytes]);
+			if (!r.row(r.source, i, &rows[(i - y) * r.row_bytes]))
+				return false;
 		if (!out.write_scanlines(int(y), int(end), 0, sample_type(r), rows.data()))
 			return false;
 	}

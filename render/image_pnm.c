@@ -29,10 +29,10 @@ bool pnm_write(FILE *file, const struct raster *r, char *reason)
 	bool ok = fprintf(file, "P%c\n%u %u\n%u\n", r->channels == 1 ? '5' : '6', r->width,
 			  r->height, (1u << r->bits) - 1) > 0;
 	for (unsigned y = 0; ok && y < r->height; y++) {
-		r->row(r->source, y, row);
+		ok = r->row(r->source, y, row);
 		if (r->sample_bits == 16)
 			put_high_bytes_first(row, count);
-		ok = fwrite(row, 1, r->row_bytes, file) == r->row_bytes;
+		ok = ok && fwrite(row, 1, r->row_bytes, file) == r->row_bytes;
 	}
 	free(row);
 	if (!ok)

@@ -138,8 +138,11 @@ lambert_image *lambert_render(const lambert_scene *, const struct lambert_render
 void lambert_image_destroy(lambert_image *);
 unsigned lambert_image_width(const lambert_image *);
 unsigned lambert_image_height(const lambert_image *);
-/* Five floats a pixel, row-major from the top left: red, green, blue (working space, premultiplied),
- * filter (0) and 1 - alpha. Lives as long as the image. */
+/* What was rendered of the picture, and what an image has in memory: left, top, right, bottom; first
+ * and one past the last pixel. The rest of the picture is black. */
+void lambert_image_region(const lambert_image *, unsigned region[4]);
+/* Five floats a pixel of the region, row-major from its top left: red, green, blue (working space,
+ * premultiplied), filter (0) and 1 - alpha. Lives as long as the image. */
 const float *lambert_image_pixels(const lambert_image *);
 
 struct lambert_output_options {
@@ -150,10 +153,17 @@ struct lambert_output_options {
 	double file_gamma; /* 0: sRGB */
 	char dither[3];	   /* "": none; "B2" "B3" "B4" "D1" "D2" "FS" */
 	int quality;	   /* JPEG, 2 to 100; 0: 85 */
+	/* Called for each row; false stops the writing. May be NULL. */
+	bool (*progress)(void *user, double share_done);
+	void *user;
 };
 void lambert_output_options_init(struct lambert_output_options *);
-/* Writes a picture; "-" is standard output. Options NULL: defaults. False: the message says why;
- * nothing is left behind. */
+/* Whether a picture of this size could be written to `path`: its format holds it, and the place may be
+ * written to. To be asked before rendering. False: the message says why. Changes nothing. */
+bool lambert_output_check(const char *path, unsigned width, unsigned height,
+	const struct lambert_output_options *, lambert_message_function, void *user);
+/* Writes a picture; "-" is standard output. Options NULL: defaults. False: the message says why, or it
+ * was stopped; nothing is left behind. */
 bool lambert_image_write(const lambert_image *, const char *path,
 	const struct lambert_output_options *, lambert_message_function, void *user);
 

@@ -105,8 +105,7 @@ static unsigned expose(const struct antialias *aa, const struct working_space *w
 	struct sampler s;
 	sampler_init(&s, aa, working, edge_sample, &edge);
 	for (unsigned left = 0; left < WIDTH; left += size)
-		sampler_block(
-			&s, &film, (struct block){ left, 0, left + size, HEIGHT }, film.part);
+		sampler_block(&s, &film, (struct block){ left, 0, left + size, HEIGHT }, film.part);
 	sampler_finish(&s);
 	memcpy(row, pixels + WIDTH, WIDTH * sizeof *row);
 	return edge.samples;
