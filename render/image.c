@@ -53,8 +53,8 @@ struct format {
 static const struct format formats[] = {
 	[IMAGE_PNG]     = { "PNG",  NULL,      NULL,   png_write, true,  true,  false, 16, 1000000, 0 },
 	[IMAGE_PPM]     = { "PPM",  NULL,      NULL,   pnm_write, true,  false, false, 16, INT_MAX, 0 },
-	[IMAGE_TGA]     = { "TGA",  "targa",   "none", NULL,      false, true,  false, 8,  65535,   0 },
-	[IMAGE_TGA_RLE] = { "TGA",  "targa",   "rle",  NULL,      false, true,  false, 8,  65535,   0 },
+	[IMAGE_TGA]     = { "TGA",  "targa",   "none", NULL,      false, true,  false, 8,  65535,   4294967000 },
+	[IMAGE_TGA_RLE] = { "TGA",  "targa",   "rle",  NULL,      false, true,  false, 8,  65535,   4294967000 },
 	[IMAGE_BMP]     = { "BMP",  "bmp",     "",     NULL,      false, true,  false, 8,  INT_MAX, 2147483000 },
 	[IMAGE_JPEG]    = { "JPEG", "jpeg",    "",     NULL,      false, false, false, 8,  65500,   0 },
 	[IMAGE_EXR]     = { "EXR",  "openexr", "zip",  NULL,      false, true,  true,  32, INT_MAX, 0 },
@@ -98,17 +98,21 @@ struct rows {
 	unsigned height;
 	bool (*progress)(void *user, double share_done); /* or NULL */
 	void *user;
-	bool stopped; /* by progress */
+	bool stopped;	       /* by progress */
+	struct target *target; /* the file under way; NULL: standard output */
 };
 
 static bool next_row(void *source, unsigned y, void *samples)
 {
 	struct rows *rows = source;
-	if (rows->progress && !rows->progress(rows->user, (double)y / rows->height))
+	if (rows->progress && !rows->progress(rows->user, (double)y / rows->height)) {
 		rows->stopped = true;
-	else
-		encoder_row(rows->encoder, y, samples);
-	return !rows->stopped;
+		if (rows->target) /* now: the writer of the format may not return for a while */
+			target_abandon(rows->target);
+		return false;
+	}
+	encoder_row(rows->encoder, y, samples);
+	return true;
 }
 
 /* The encoded picture. */
@@ -219,6 +223,8 @@ static bool write_file(
 	const char *path, const struct raster *r, const struct format *f, const char **why)
 {
 	struct target target;
+	struct rows *rows = r->source;
+	rows->target = &target;
 	char text[REASON_SIZE] = "";
 	bool ok = target_init(&target, path, text) || fail(why, "%s", text);
 	ok = ok && write_path(target_name(&target), r, f, why) &&
@@ -260,8 +266,10 @@ bool image_write(const struct film *film, const struct image_encoding *wanted, c
 	const struct format *f = &formats[e.format];
 	if (!check_format(film->width, film->height, &e, why))
 		return false;
-	struct rows rows = { encoder_create(film, &e, f->is_float), film->height, progress, user,
-		false };
+	struct rows rows = { .encoder = encoder_create(film, &e, f->is_float),
+		.height = film->height,
+		.progress = progress,
+		.user = user };
 	const struct raster r = raster_of(film, &e, &rows);
 	const bool ok =
 		strcmp(path, "-") == 0 ? write_stdout(&r, f, why) : write_file(path, &r, f, why);

@@ -109,7 +109,7 @@ static bool check(const char *path, char *reason)
 {
 	struct stat s;
 	if (stat(path, &s) != 0)
-		return check_folder(path, reason);
+		return errno == ENOENT ? check_folder(path, reason) : fail(reason, strerror(errno));
 	return check_file(path, &s, reason) && (!S_ISREG(s.st_mode) || check_folder(path, reason));
 }
 
@@ -202,10 +202,16 @@ bool target_commit(struct target *t, char *reason)
 	return true;
 }
 
+void target_abandon(struct target *t)
+{
+	if (t->temporary && !t->abandoned)
+		unlink(t->temporary);
+	t->abandoned = true;
+}
+
 void target_finish(struct target *t)
 {
-	if (t->temporary)
-		unlink(t->temporary);
+	target_abandon(t);
 	if (t->lock >= 0)
 		close(t->lock);
 	free(t->temporary);

@@ -13,6 +13,7 @@ struct target {
 	char *path;	 /* where the file shall be, links followed */
 	char *temporary; /* where it is written; NULL: in place */
 	int lock;	 /* tells others that its writer lives; -1: none */
+	bool abandoned;	 /* has been removed already */
 };
 
 /* Whether a file could be written there; changes nothing. On failure of these functions `reason` (of
@@ -24,6 +25,8 @@ bool target_init(struct target *, const char *path, char *reason);
 const char *target_name(const struct target *);
 /* Puts the complete file in its place. */
 bool target_commit(struct target *, char *reason);
+/* Removes it while it is still being written. */
+void target_abandon(struct target *);
 /* Removes what was not put in its place. */
 void target_finish(struct target *);
 
