@@ -17,7 +17,9 @@ unsigned parallel_processors(void);
 void parallel_for(size_t count, unsigned threads,
 	void (*job)(void *user, size_t index, unsigned thread), void *user);
 
-/* Runs job(user) with `bytes` of stack, of which only what is used takes memory. */
-void parallel_with_stack(size_t bytes, void (*job)(void *user), void *user);
+/* Runs job(user) with `bytes` of stack, of which only what is used takes memory. Until it is done
+ * tick(user) is called four times a second from the caller's thread; NULL: nothing is called. */
+void parallel_with_stack(
+	size_t bytes, void (*job)(void *user), void (*tick)(void *user), void *user);
 
 #endif

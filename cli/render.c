@@ -33,7 +33,9 @@ static bool load(struct job *job, const struct frames *frames, int frame)
 {
 	struct lambert_scene_options options;
 	setup_scene(job->options, &job->messages, frames, frame, &options);
+	options.progress = progress_reading;
 	job->scene = lambert_scene_load(job->scene_path, &options);
+	messages_clear_line(&job->messages);
 	if (job->scene)
 		lambert_scene_statistics(job->scene, &job->stats.scene_stats);
 	return job->scene != NULL;

@@ -17,6 +17,7 @@
 #include "render/first_calls.h"
 #include "render/lower/lower.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -140,7 +141,9 @@ struct reading {
 	const struct lambert_scene_options *options;
 	struct scene *scene; /* NULL after an error */
 	struct lambert_scene_stats stats;
-	FILE *out; /* where a tree is printed */
+	double start;	   /* seconds */
+	atomic_bool asked; /* where the reading is */
+	FILE *out;	   /* where a tree is printed */
 	bool printed;
 	/* Gone when the text is read. */
 	struct diag *diag;
@@ -150,12 +153,32 @@ struct reading {
 	struct lowering lowering;
 };
 
+/* From another thread than the one that reads: it answers at the next directive. */
+static void ask_place(void *user)
+{
+	struct reading *r = user;
+	atomic_store_explicit(&r->asked, true, memory_order_relaxed);
+}
+
+static void tell_place(void *user, span where)
+{
+	struct reading *r = user;
+	const struct place p = diag_place(r->diag, where);
+	const struct lambert_place place = place_for_user(&p);
+	r->options->progress(r->options->user, &place, wall_seconds() - r->start);
+}
+
 static void reading_begin(struct reading *r)
 {
 	r->diag = diag_create(forward_message, (void *)(uintptr_t)r->options);
 	r->arena = arena_create(1 << 20);
 	r->passing = arena_create(2 * PASSING_BYTES);
 	r->files = parse_options_for(r->path, r->options, r->arena);
+	if (r->options->progress) {
+		r->files.asked = &r->asked;
+		r->files.reached = tell_place;
+		r->files.reached_user = r;
+	}
 }
 
 static void reading_end(struct reading *r)
@@ -244,7 +267,8 @@ static void print_tree(void *user)
 /* A scene may nest as deep as the parser allows, and what reads it recurses as deep. */
 static void with_deep_stack(void (*run)(void *), struct reading *r)
 {
-	parallel_with_stack((size_t)512 << 20, run, r);
+	r->start = wall_seconds();
+	parallel_with_stack((size_t)512 << 20, run, r->options->progress ? ask_place : NULL, r);
 }
 
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)

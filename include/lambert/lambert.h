@@ -61,6 +61,9 @@ typedef void (*lambert_message_function)(void *user, const struct lambert_messag
 /* Text of #debug, #warning … ; `stream` is "debug", "warning", "render" or "statistics". */
 typedef void (*lambert_text_function)(void *user, const char *stream, const char *line);
 
+/* Where the reading of a scene is after that many seconds. */
+typedef void (*lambert_reading_function)(void *user, const struct lambert_place *, double seconds);
+
 struct lambert_declaration {
 	const char *name;
 	const char *string; /* NULL: a number */
@@ -89,7 +92,10 @@ struct lambert_scene_options {
 	size_t write_path_count;
 	lambert_message_function message; /* may be NULL */
 	lambert_text_function text;	  /* may be NULL */
-	void *user;			  /* for both */
+	/* Called at most four times a second, at a directive of the scene, from the thread that
+	 * calls the others too. May be NULL. */
+	lambert_reading_function progress;
+	void *user; /* for all three */
 };
 void lambert_scene_options_init(struct lambert_scene_options *);
 
