@@ -14,9 +14,6 @@
 #include <stdlib.h>
 #include <time.h>
 
-/* Enough stack for deep ray trees whatever the system's default is. */
-enum { STACK_BYTES = 64 << 20 };
-
 struct work {
 	size_t count;
 	void (*job)(void *, size_t, unsigned);
@@ -66,7 +63,7 @@ void parallel_for(size_t count, unsigned threads, void (*job)(void *, size_t, un
 	unsigned started = 1;
 	pthread_attr_t attributes;
 	pthread_attr_init(&attributes);
-	pthread_attr_setstacksize(&attributes, STACK_BYTES);
+	pthread_attr_setstacksize(&attributes, PARALLEL_STACK);
 	for (unsigned i = 1; i < threads; i++) {
 		helpers[started] = (struct helper){ .work = &w, .thread = i };
 		if (pthread_create(

@@ -8,6 +8,9 @@
 
 #include <stddef.h>
 
+/* Bytes of stack of the threads: enough for deep ray trees whatever the system's default is. */
+enum { PARALLEL_STACK = 64 << 20 };
+
 /* Processors available to this process, at least 1. */
 unsigned parallel_processors(void);
 

@@ -271,17 +271,30 @@ static void with_deep_stack(void (*run)(void *), struct reading *r)
 	parallel_with_stack((size_t)512 << 20, run, r->options->progress ? ask_place : NULL, r);
 }
 
+static void prepare(struct reading *r)
+{
+	const struct lambert_scene_options *o = r->options;
+	const double start = cpu_seconds();
+	scene_commit(r->scene, thread_count(o->threads));
+	first_calls_make(r->scene, o->width, o->height);
+	r->stats.build_cpu = cpu_seconds() - start;
+	add_tree_statistics(&r->stats, r->scene);
+}
+
+static void read_and_prepare(void *user)
+{
+	struct reading *r = user;
+	read_scene(r);
+	if (r->scene)
+		prepare(r);
+}
+
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
 {
 	struct reading r = { .path = path, .options = o };
-	with_deep_stack(read_scene, &r);
+	with_deep_stack(read_and_prepare, &r);
 	if (!r.scene)
 		return NULL;
-	const double start = cpu_seconds();
-	scene_commit(r.scene, thread_count(o->threads));
-	first_calls_make(r.scene, o->width, o->height);
-	r.stats.build_cpu = cpu_seconds() - start;
-	add_tree_statistics(&r.stats, r.scene);
 	lambert_scene *handle = memory_alloc(1, sizeof *handle);
 	*handle = (lambert_scene){ r.scene, o->width, o->height, r.stats };
 	return handle;
@@ -362,30 +375,52 @@ static struct exposure exposure_for(const lambert_scene *s, const struct lambert
 	};
 }
 
+/* A picture on its way. */
+struct rendering {
+	const lambert_scene *scene;
+	const struct lambert_render_options *options;
+	struct film *film;
+	struct trace_stats stats;
+	bool complete;
+};
+
+static void render(void *user)
+{
+	struct rendering *r = user;
+	const struct exposure e = exposure_for(r->scene, r->options);
+	r->film = film_create_part(r->scene->width, r->scene->height, e.region);
+	r->complete = film_expose(r->film, r->scene->scene, &e, &r->stats);
+}
+
+static struct lambert_render_stats render_stats(
+	const struct trace_stats *stats, double cpu, double wall)
+{
+	return (struct lambert_render_stats){
+		.camera_rays = stats->camera_rays,
+		.reflected_rays = stats->reflected_rays,
+		.refracted_rays = stats->refracted_rays,
+		.transmitted_rays = stats->transmitted_rays,
+		.shadow_rays = stats->shadow_rays,
+		.max_level = stats->max_level,
+		.trace_cpu = cpu,
+		.trace_wall = wall,
+	};
+}
+
+/* The caller's stack may be small: no ray is followed on it. */
 lambert_image *lambert_render(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	const double cpu = cpu_seconds(), wall = wall_seconds();
-	const struct exposure e = exposure_for(s, o);
-	struct film *film = film_create_part(s->width, s->height, e.region);
-	struct trace_stats stats = { 0 };
-	const bool complete = film_expose(film, s->scene, &e, &stats);
+	struct rendering r = { .scene = s, .options = o };
+	parallel_with_stack(PARALLEL_STACK, render, NULL, &r);
 	if (o->stats)
-		*o->stats = (struct lambert_render_stats){
-			.camera_rays = stats.camera_rays,
-			.reflected_rays = stats.reflected_rays,
-			.refracted_rays = stats.refracted_rays,
-			.transmitted_rays = stats.transmitted_rays,
-			.shadow_rays = stats.shadow_rays,
-			.max_level = stats.max_level,
-			.trace_cpu = cpu_seconds() - cpu,
-			.trace_wall = wall_seconds() - wall,
-		};
-	if (!complete) {
-		film_destroy(film);
+		*o->stats = render_stats(&r.stats, cpu_seconds() - cpu, wall_seconds() - wall);
+	if (!r.complete) {
+		film_destroy(r.film);
 		return NULL;
 	}
 	lambert_image *image = memory_alloc(1, sizeof *image);
-	*image = (lambert_image){ film, s->scene->settings.working,
+	*image = (lambert_image){ r.film, s->scene->settings.working,
 		s->scene->settings.output_alpha };
 	return image;
 }
