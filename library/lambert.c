@@ -355,11 +355,18 @@ static bool forward_progress(void *user, unsigned done, unsigned all)
 	return !o->progress || o->progress(o->user, all ? (double)done / all : 1);
 }
 
+static unsigned smaller(unsigned a, unsigned b)
+{
+	return a < b ? a : b;
+}
+
+/* What lies in the picture; a region that ends before it starts is none. */
 static struct block region_of(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	const bool whole = !(o->left | o->top | o->right | o->bottom);
-	return (struct block){ o->left, o->top, whole ? s->width : o->right,
-		whole ? s->height : o->bottom };
+	const struct block r = { o->left, o->top, whole ? s->width : smaller(o->right, s->width),
+		whole ? s->height : smaller(o->bottom, s->height) };
+	return r.left < r.right && r.top < r.bottom ? r : (struct block){ 0, 0, 0, 0 };
 }
 
 static struct exposure exposure_for(const lambert_scene *s, const struct lambert_render_options *o)
