@@ -6,14 +6,13 @@
 
 #include "base/arena.h"
 
+#include <errno.h>
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
-
-/* Enough stack for deep ray trees whatever the system's default is. */
-enum { STACK_BYTES = 64 << 20 };
+#include <time.h>
 
 struct work {
 	size_t count;
@@ -64,7 +63,7 @@ void parallel_for(size_t count, unsigned threads, void (*job)(void *, size_t, un
 	unsigned started = 1;
 	pthread_attr_t attributes;
 	pthread_attr_init(&attributes);
-	pthread_attr_setstacksize(&attributes, STACK_BYTES);
+	pthread_attr_setstacksize(&attributes, PARALLEL_STACK);
 	for (unsigned i = 1; i < threads; i++) {
 		helpers[started] = (struct helper){ .work = &w, .thread = i };
 		if (pthread_create(
@@ -90,7 +89,27 @@ static void *deep_main(void *argument)
 	return NULL;
 }
 
-void parallel_with_stack(size_t bytes, void (*job)(void *), void *user)
+/* Whether the thread has ended within a quarter of a second. */
+static bool join_soon(pthread_t id)
+{
+	struct timespec until;
+	clock_gettime(CLOCK_REALTIME, &until);
+	until.tv_nsec += 250000000;
+	until.tv_sec += until.tv_nsec / 1000000000;
+	until.tv_nsec %= 1000000000;
+	return pthread_timedjoin_np(id, NULL, &until) != ETIMEDOUT;
+}
+
+static void join(pthread_t id, void (*tick)(void *), void *user)
+{
+	if (!tick)
+		pthread_join(id, NULL);
+	else
+		while (!join_soon(id))
+			tick(user);
+}
+
+void parallel_with_stack(size_t bytes, void (*job)(void *), void (*tick)(void *), void *user)
 {
 	struct deep_job d = { job, user };
 	pthread_t id;
@@ -100,7 +119,7 @@ void parallel_with_stack(size_t bytes, void (*job)(void *), void *user)
 	const bool started = pthread_create(&id, &attributes, deep_main, &d) == 0;
 	pthread_attr_destroy(&attributes);
 	if (started)
-		pthread_join(id, NULL);
+		join(id, tick, user);
 	else
 		job(user);
 }

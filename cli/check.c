@@ -2,6 +2,7 @@
 /* lambert check scene.pov: reads a scene and says what is wrong with it. */
 #include "commands.h"
 #include "names.h"
+#include "progress.h"
 #include "setup.h"
 
 static void say_result(const struct options *o, const struct messages *m, bool good,
@@ -29,7 +30,9 @@ static int check(struct options *o)
 	if (messages_init(&messages, o, NULL, false)) {
 		messages.json = o->json ? stdout : NULL;
 		setup_scene(o, &messages, &frames, frames.first, &options);
+		options.progress = progress_reading;
 		good = lambert_scene_check(names_scene(o), &options, &stats);
+		messages_clear_line(&messages);
 		say_result(o, &messages, good, &stats);
 	}
 	messages_finish(&messages);

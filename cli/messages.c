@@ -95,8 +95,7 @@ static bool on_console(const struct messages *m, enum stream stream)
 	return all_set ? o->all_console : o->console[stream];
 }
 
-/* Takes the progress bar off the line that is about to be written. */
-static void clear_line(struct messages *m)
+void messages_clear_line(struct messages *m)
 {
 	if (m->line_open)
 		fputs("\r\033[K", stderr);
@@ -267,7 +266,7 @@ void messages_take(void *user, const struct lambert_message *message)
 	const bool is_muted = m->options->quiet && stream != STREAM_FATAL;
 	/* What is wrong is always said: an exit status alone helps nobody. */
 	if (stream == STREAM_FATAL || (on_console(m, stream) && !is_muted)) {
-		clear_line(m);
+		messages_clear_line(m);
 		print_message(stderr, message, (struct manner){ m->colour, m->terminal, shown });
 	}
 }
@@ -280,7 +279,7 @@ static void say(struct messages *m, enum stream stream, const char *line)
 			fprintf(m->files[i], "%s%s", line, end);
 	if (!on_console(m, stream))
 		return;
-	clear_line(m);
+	messages_clear_line(m);
 	put_text(stderr, line, !m->terminal);
 	fputs(end, stderr);
 }

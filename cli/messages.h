@@ -32,6 +32,9 @@ void messages_finish(struct messages *);
 void messages_take(void *user, const struct lambert_message *);
 void messages_take_text(void *user, const char *stream, const char *line);
 
+/* Takes what shows the progress off the console's current line. */
+void messages_clear_line(struct messages *);
+
 /* A line of the program itself on one of the streams. */
 void messages_say(struct messages *, enum stream, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));

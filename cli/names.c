@@ -184,37 +184,3 @@ const char *names_picture(struct options *o, int frame, int digits)
 		return text_printf(&o->pool, "%s%s", stem, extension);
 	return text_printf(&o->pool, "%s%0*d%s", stem, digits, frame, extension);
 }
-
-/* Whether it can be written */
-
-static bool refuse(const char *path, const char *why)
-{
-	fprintf(stderr, "lambert: error: the picture %s cannot be written: %s\n", path, why);
-	return false;
-}
-
-bool names_check_writable(const char *path)
-{
-	struct stat s;
-	if (strcmp(path, "-") == 0)
-		return true;
-	if (stat(path, &s) == 0) {
-		if (S_ISDIR(s.st_mode))
-			return refuse(path, "it is a folder");
-		if (access(path, W_OK) != 0)
-			return refuse(path, strerror(errno));
-		if (!S_ISREG(s.st_mode))
-			return true;
-	}
-	const size_t length = (size_t)(names_file_part(path) - path);
-	char *folder = malloc(length + 2);
-	if (!folder)
-		return refuse(path, "out of memory");
-	memcpy(folder, length ? path : ".", length ? length : 1);
-	folder[length ? length : 1] = 0;
-	const bool ok =
-		access(folder, W_OK | X_OK) == 0 ||
-		refuse(path, errno == ENOENT ? "its folder does not exist" : strerror(errno));
-	free(folder);
-	return ok;
-}

@@ -15,7 +15,5 @@ char names_format(const struct options *);
 const char *names_picture(struct options *, int frame, int digits);
 /* The file part of a path. */
 const char *names_file_part(const char *path);
-/* Whether the picture could be written; false after a message. Changes nothing. */
-bool names_check_writable(const char *path);
 
 #endif

@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The progress bar. It is drawn at most ten times a second, and not at all for
- * pictures that are done before one would have read it.
+ * pictures that are done before one would have read it. While a scene is read for
+ * more than a second, the place that the reading has reached stands there.
  */
 #include "progress.h"
 
 #include "interrupt.h"
+#include "names.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <string.h>
 #include <sys/ioctl.h>
@@ -14,6 +17,8 @@
 #include <unistd.h>
 
 static const double REDRAW = 0.1;
+/* Seconds after which a user asks what the program is at. */
+static const double READING_IS_LONG = 1;
 
 double progress_clock(void)
 {
@@ -100,7 +105,26 @@ bool progress_step(void *user, double share_done)
 
 void progress_finish(struct progress *p)
 {
-	if (p->messages->line_open)
-		fputs("\r\033[K", stderr);
-	p->messages->line_open = false;
+	messages_clear_line(p->messages);
+}
+
+/* A terminal would obey control characters in a name. */
+static void print_name(const char *name, int room)
+{
+	for (int i = 0; name[i] && i < room; i++)
+		fputc(iscntrl((unsigned char)name[i]) ? '?' : name[i], stderr);
+}
+
+void progress_reading(void *user, const struct lambert_place *place, double seconds)
+{
+	struct messages *m = user;
+	if (seconds < READING_IS_LONG || choose_style(m->options) != PROGRESS_BAR)
+		return;
+	char time[32];
+	print_duration(time, sizeof time, seconds);
+	fprintf(stderr, "\rreading, %s, line %u of ", time, place->line);
+	print_name(names_file_part(place->file ? place->file : ""), columns() - 40);
+	fputs("\033[K", stderr);
+	fflush(stderr);
+	m->line_open = true;
 }

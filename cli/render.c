@@ -10,6 +10,8 @@
 #include <errno.h>
 #include <string.h>
 
+#define INTERRUPTED "lambert: interrupted; no picture was written\n"
+
 /* One frame on its way; everything in it is released by job_finish. */
 struct job {
 	struct options *options;
@@ -31,7 +33,9 @@ static bool load(struct job *job, const struct frames *frames, int frame)
 {
 	struct lambert_scene_options options;
 	setup_scene(job->options, &job->messages, frames, frame, &options);
+	options.progress = progress_reading;
 	job->scene = lambert_scene_load(job->scene_path, &options);
+	messages_clear_line(&job->messages);
 	if (job->scene)
 		lambert_scene_statistics(job->scene, &job->stats.scene_stats);
 	return job->scene != NULL;
@@ -54,12 +58,20 @@ static int trace(struct job *job)
 	return job->image ? STATUS_OK : STATUS_INTERRUPTED;
 }
 
+static bool is_wanted(void *user, double share_done)
+{
+	(void)user;
+	(void)share_done;
+	return !interrupt_requested();
+}
+
 static bool write_picture(struct job *job)
 {
 	struct lambert_output_options options;
 	if (!job->picture)
 		return true;
 	setup_output(job->options, &options);
+	options.progress = is_wanted;
 	return lambert_image_write(
 		job->image, job->picture, &options, messages_take, &job->messages);
 }
@@ -81,7 +93,7 @@ static int run(struct job *job, const struct frames *frames, int frame, double s
 {
 	if (!load(job, frames, frame))
 		return STATUS_ERROR;
-	interrupt_defer(true);
+	interrupt_defer(true, job->options->quiet ? NULL : "\n" INTERRUPTED);
 	const int status = trace(job);
 	if (status != STATUS_OK)
 		return status;
@@ -90,20 +102,33 @@ static int run(struct job *job, const struct frames *frames, int frame, double s
 	return report(job, start, frame > frames->first) ? STATUS_OK : STATUS_ERROR;
 }
 
+static void refuse(void *user, const struct lambert_message *m)
+{
+	(void)user;
+	fprintf(stderr, "lambert: error: %s\n", m->text);
+}
+
+/* Names the picture and makes sure that it can be written, before anything is rendered. */
+static bool choose_picture(struct job *job, const struct frames *frames, int frame)
+{
+	struct options *o = job->options;
+	struct lambert_output_options output;
+	if (!names_format(o))
+		return false;
+	job->picture = names_picture(o, frame, frames->digits);
+	setup_output(o, &output);
+	return job->picture && lambert_output_check(job->picture, (unsigned)o->width,
+				       (unsigned)o->height, &output, refuse, NULL);
+}
+
 static int render_frame(struct options *o, const struct frames *frames, int frame)
 {
 	const double start = progress_clock();
 	struct job job = { .options = o, .stats.frame = frame };
-	struct lambert_render_options unused;
-	if (!setup_render(o, &unused))
+	if (o->output_to_file && !choose_picture(&job, frames, frame))
 		return STATUS_ERROR;
-	if (o->output_to_file) {
-		job.picture = names_format(o) ? names_picture(o, frame, frames->digits) : NULL;
-		if (!job.picture || !names_check_writable(job.picture))
-			return STATUS_ERROR;
-	}
 	job.scene_path = names_scene(o);
-	interrupt_defer(false);
+	interrupt_defer(false, NULL);
 	int status = STATUS_ERROR;
 	if (messages_init(&job.messages, o, job.picture, frame > frames->first))
 		status = run(&job, frames, frame, start);
@@ -154,6 +179,6 @@ int command_render(int argc, char **argv)
 		status = render_frames(&options);
 	options_finish(&options);
 	if (status == STATUS_INTERRUPTED && !options.quiet)
-		fputs("lambert: interrupted; no picture was written\n", stderr);
+		fputs(INTERRUPTED, stderr);
 	return status;
 }

@@ -49,25 +49,12 @@ static bool check_numbers(const struct options *o)
 {
 	if (o->width < 1 || o->height < 1)
 		return option_error(o, "a picture of %d x %d has no pixels", o->width, o->height);
-	if ((double)o->width * o->height > PIXELS_MAX)
-		return option_error(o, "a picture of %d x %d is too large", o->width, o->height);
 	if (options_set(o, "Work_Threads") && o->threads < 1)
 		return option_error(
 			o, "%d threads render nothing; at least 1 is needed", o->threads);
 	if (o->block_size < 4)
 		return option_error(
 			o, "blocks of %d pixels are too small; 4 is the least", o->block_size);
-	return true;
-}
-
-bool setup_check(struct options *o)
-{
-	if (!o->input)
-		return option_error(o, "no scene is given; try: lambert scene.pov -o picture.png "
-				       "(see lambert --help)");
-	if (!check_numbers(o) || !check_refused(o))
-		return false;
-	note_ignored(o);
 	return true;
 }
 
@@ -199,6 +186,9 @@ static bool setup_region(const struct options *o, struct lambert_render_options 
 		return false;
 	if (r[0] >= r[2] || r[1] >= r[3])
 		return option_error(o, "the region ends before it starts");
+	if ((r[2] - r[0]) * (r[3] - r[1]) > PIXELS_MAX)
+		return option_error(o, "a picture of %.0f x %.0f pixels is too large", r[2] - r[0],
+			r[3] - r[1]);
 	render->left = (unsigned)r[0];
 	render->top = (unsigned)r[1];
 	render->right = (unsigned)r[2];
@@ -217,6 +207,18 @@ bool setup_render(const struct options *o, struct lambert_render_options *render
 	render->block_size = (unsigned)o->block_size;
 	render->threads = (unsigned)o->threads;
 	return setup_region(o, render);
+}
+
+bool setup_check(struct options *o)
+{
+	if (!o->input)
+		return option_error(o, "no scene is given; try: lambert scene.pov -o picture.png "
+				       "(see lambert --help)");
+	struct lambert_render_options unused;
+	if (!check_numbers(o) || !check_refused(o) || !setup_render(o, &unused))
+		return false;
+	note_ignored(o);
+	return true;
 }
 
 void setup_output(const struct options *o, struct lambert_output_options *output)

@@ -33,6 +33,15 @@ unsigned lambert_image_height(const lambert_image *image)
 	return image->film->height;
 }
 
+void lambert_image_region(const lambert_image *image, unsigned region[4])
+{
+	const struct block *part = &image->film->part;
+	region[0] = part->left;
+	region[1] = part->top;
+	region[2] = part->right;
+	region[3] = part->bottom;
+}
+
 const float *lambert_image_pixels(const lambert_image *image)
 {
 	return &image->film->pixels->r;
@@ -119,18 +128,16 @@ static bool find_dither(const char *name, enum dither *dither)
 	return false;
 }
 
-/* Sets what the caller chose; the rest comes from the image. False with a reason. */
-static bool choose_encoding(const lambert_image *image,
-	const struct lambert_output_options *options, const char *path, struct image_encoding *e,
-	const char **why)
+/* Sets what the caller chose. False with a reason. */
+static bool choose_encoding(const struct lambert_output_options *options, const char *path,
+	struct image_encoding *e, const char **why)
 {
 	*e = (struct image_encoding){
 		.bits = options->bits < 5    ? 5
 			: options->bits > 16 ? 16
 					     : options->bits,
 		.grayscale = options->grayscale,
-		.alpha = options->alpha && image->output_alpha,
-		.working = image->working,
+		.alpha = options->alpha,
 		.file = { .transfer = options->file_gamma > 0 ? TRANSFER_POWER : TRANSFER_SRGB,
 			.gamma = (float)options->file_gamma },
 		.quality = options->quality,
@@ -146,19 +153,39 @@ static bool choose_encoding(const lambert_image *image,
 	return true;
 }
 
-bool lambert_image_write(const lambert_image *image, const char *path,
-	const struct lambert_output_options *options, lambert_message_function message, void *user)
+/* Tells that, and why, a picture cannot be written. */
+static bool complain(
+	const char *path, const char *why, lambert_message_function message, void *user)
 {
-	struct lambert_output_options defaults;
-	lambert_output_options_init(&defaults);
-	struct image_encoding encoding;
-	const char *why = NULL;
-	if (choose_encoding(image, options ? options : &defaults, path, &encoding, &why) &&
-		image_write(image->film, &encoding, path, &why))
-		return true;
 	char text[1024];
 	snprintf(text, sizeof text, "the picture %s cannot be written: %s", path, why);
 	if (message)
 		message(user, &(struct lambert_message){ .severity = LAMBERT_ERROR, .text = text });
 	return false;
+}
+
+bool lambert_output_check(const char *path, unsigned width, unsigned height,
+	const struct lambert_output_options *options, lambert_message_function message, void *user)
+{
+	struct image_encoding encoding;
+	const char *why = NULL;
+	return (choose_encoding(options, path, &encoding, &why) &&
+		       image_check(width, height, &encoding, path, &why)) ||
+	       complain(path, why, message, user);
+}
+
+bool lambert_image_write(const lambert_image *image, const char *path,
+	const struct lambert_output_options *options, lambert_message_function message, void *user)
+{
+	struct lambert_output_options defaults;
+	lambert_output_options_init(&defaults);
+	const struct lambert_output_options *o = options ? options : &defaults;
+	struct image_encoding encoding;
+	const char *why = NULL;
+	if (!choose_encoding(o, path, &encoding, &why))
+		return complain(path, why, message, user);
+	encoding.alpha = encoding.alpha && image->output_alpha;
+	encoding.working = image->working;
+	return image_write(image->film, &encoding, path, o->progress, o->user, &why) ||
+	       (why && complain(path, why, message, user));
 }

@@ -160,17 +160,15 @@ static bool write_heatmap(const struct image *a, const struct image *b, const ch
 	lambert_message_function message, void *user)
 {
 	const size_t pixels = (size_t)a->width * a->height;
-	struct film film = { .width = a->width,
-		.height = a->height,
-		.pixels = memory_alloc(pixels, sizeof *film.pixels) };
+	struct film *film = film_create(a->width, a->height);
 	for (size_t i = 0; i < pixels; i++) {
 		double difference[4];
-		film.pixels[i] = heat(pixel_difference(a, b, i, difference));
+		film->pixels[i] = heat(pixel_difference(a, b, i, difference));
 	}
 	const struct image_encoding plain = { .format = IMAGE_PNG, .bits = 8 };
 	const char *why = NULL;
-	const bool ok = image_write(&film, &plain, path, &why);
-	free(film.pixels);
+	const bool ok = image_write(film, &plain, path, NULL, NULL, &why);
+	film_destroy(film);
 	if (!ok)
 		complain(message, user, "the heat map %s cannot be written: %s", path, why);
 	return ok;

@@ -17,6 +17,7 @@
 #include "prepare/first_calls.h"
 #include "lower/lower.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -140,7 +141,9 @@ struct reading {
 	const struct lambert_scene_options *options;
 	struct scene *scene; /* NULL after an error */
 	struct lambert_scene_stats stats;
-	FILE *out; /* where a tree is printed */
+	double start;	   /* seconds */
+	atomic_bool asked; /* where the reading is */
+	FILE *out;	   /* where a tree is printed */
 	bool printed;
 	/* Gone when the text is read. */
 	struct diag *diag;
@@ -151,6 +154,21 @@ struct reading {
 	struct lowering lowering;
 };
 
+/* From another thread than the one that reads: it answers at the next directive. */
+static void ask_place(void *user)
+{
+	struct reading *r = user;
+	atomic_store_explicit(&r->asked, true, memory_order_relaxed);
+}
+
+static void tell_place(void *user, span where)
+{
+	struct reading *r = user;
+	const struct place p = diag_place(r->diag, where);
+	const struct lambert_place place = place_for_user(&p);
+	r->options->progress(r->options->user, &place, wall_seconds() - r->start);
+}
+
 static void reading_begin(struct reading *r)
 {
 	r->diag = diag_create(forward_message, (void *)(uintptr_t)r->options);
@@ -159,6 +177,11 @@ static void reading_begin(struct reading *r)
 	r->files = parse_options_for(r->path, r->options, r->arena);
 	if (r->writes_nothing)
 		r->files.scratch = scratch_create();
+	if (r->options->progress) {
+		r->files.asked = &r->asked;
+		r->files.reached = tell_place;
+		r->files.reached_user = r;
+	}
 }
 
 static void reading_end(struct reading *r)
@@ -249,20 +272,34 @@ static void print_tree(void *user)
 /* A scene may nest as deep as the parser allows, and what reads it recurses as deep. */
 static void with_deep_stack(void (*run)(void *), struct reading *r)
 {
-	parallel_with_stack((size_t)512 << 20, run, r);
+	r->start = wall_seconds();
+	parallel_with_stack((size_t)512 << 20, run, r->options->progress ? ask_place : NULL, r);
+}
+
+static void prepare(struct reading *r)
+{
+	const struct lambert_scene_options *o = r->options;
+	const double start = cpu_seconds();
+	scene_commit(r->scene, thread_count(o->threads));
+	first_calls_make(r->scene, o->width, o->height);
+	r->stats.build_cpu = cpu_seconds() - start;
+	add_tree_statistics(&r->stats, r->scene);
+}
+
+static void read_and_prepare(void *user)
+{
+	struct reading *r = user;
+	read_scene(r);
+	if (r->scene)
+		prepare(r);
 }
 
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
 {
 	struct reading r = { .path = path, .options = o };
-	with_deep_stack(read_scene, &r);
+	with_deep_stack(read_and_prepare, &r);
 	if (!r.scene)
 		return NULL;
-	const double start = cpu_seconds();
-	scene_commit(r.scene, thread_count(o->threads));
-	first_calls_make(r.scene, o->width, o->height);
-	r.stats.build_cpu = cpu_seconds() - start;
-	add_tree_statistics(&r.stats, r.scene);
 	lambert_scene *handle = memory_alloc(1, sizeof *handle);
 	*handle = (lambert_scene){ r.scene, o->width, o->height, r.stats };
 	return handle;
@@ -323,16 +360,26 @@ static bool forward_progress(void *user, unsigned done, unsigned all)
 	return !o->progress || o->progress(o->user, all ? (double)done / all : 1);
 }
 
-static struct exposure exposure_for(const lambert_scene *s, const struct lambert_render_options *o)
+static unsigned smaller(unsigned a, unsigned b)
+{
+	return a < b ? a : b;
+}
+
+/* What lies in the picture; a region that ends before it starts is none. */
+static struct block region_of(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	const bool whole = !(o->left | o->top | o->right | o->bottom);
+	const struct block r = { o->left, o->top, whole ? s->width : smaller(o->right, s->width),
+		whole ? s->height : smaller(o->bottom, s->height) };
+	return r.left < r.right && r.top < r.bottom ? r : (struct block){ 0, 0, 0, 0 };
+}
+
+static struct exposure exposure_for(const lambert_scene *s, const struct lambert_render_options *o)
+{
 	return (struct exposure){
 		.antialias = { o->antialias_method, o->antialias_threshold, o->antialias_depth,
 			o->antialias_jitter, o->antialias_gamma },
-		.left = o->left,
-		.top = o->top,
-		.right = whole ? s->width : o->right,
-		.bottom = whole ? s->height : o->bottom,
+		.region = region_of(s, o),
 		.block_size = o->block_size,
 		.threads = thread_count(o->threads),
 		.progress = forward_progress,
@@ -340,30 +387,52 @@ static struct exposure exposure_for(const lambert_scene *s, const struct lambert
 	};
 }
 
+/* A picture on its way. */
+struct rendering {
+	const lambert_scene *scene;
+	const struct lambert_render_options *options;
+	struct film *film;
+	struct trace_stats stats;
+	bool complete;
+};
+
+static void render(void *user)
+{
+	struct rendering *r = user;
+	const struct exposure e = exposure_for(r->scene, r->options);
+	r->film = film_create_part(r->scene->width, r->scene->height, e.region);
+	r->complete = film_expose(r->film, r->scene->scene, &e, &r->stats);
+}
+
+static struct lambert_render_stats render_stats(
+	const struct trace_stats *stats, double cpu, double wall)
+{
+	return (struct lambert_render_stats){
+		.camera_rays = stats->camera_rays,
+		.reflected_rays = stats->reflected_rays,
+		.refracted_rays = stats->refracted_rays,
+		.transmitted_rays = stats->transmitted_rays,
+		.shadow_rays = stats->shadow_rays,
+		.max_level = stats->max_level,
+		.trace_cpu = cpu,
+		.trace_wall = wall,
+	};
+}
+
+/* The caller's stack may be small: no ray is followed on it. */
 lambert_image *lambert_render(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	const double cpu = cpu_seconds(), wall = wall_seconds();
-	struct film *film = film_create(s->width, s->height);
-	const struct exposure e = exposure_for(s, o);
-	struct trace_stats stats = { 0 };
-	const bool complete = film_expose(film, s->scene, &e, &stats);
+	struct rendering r = { .scene = s, .options = o };
+	parallel_with_stack(PARALLEL_STACK, render, NULL, &r);
 	if (o->stats)
-		*o->stats = (struct lambert_render_stats){
-			.camera_rays = stats.camera_rays,
-			.reflected_rays = stats.reflected_rays,
-			.refracted_rays = stats.refracted_rays,
-			.transmitted_rays = stats.transmitted_rays,
-			.shadow_rays = stats.shadow_rays,
-			.max_level = stats.max_level,
-			.trace_cpu = cpu_seconds() - cpu,
-			.trace_wall = wall_seconds() - wall,
-		};
-	if (!complete) {
-		film_destroy(film);
+		*o->stats = render_stats(&r.stats, cpu_seconds() - cpu, wall_seconds() - wall);
+	if (!r.complete) {
+		film_destroy(r.film);
 		return NULL;
 	}
 	lambert_image *image = memory_alloc(1, sizeof *image);
-	*image = (lambert_image){ film, s->scene->settings.working,
+	*image = (lambert_image){ r.film, s->scene->settings.working,
 		s->scene->settings.output_alpha };
 	return image;
 }

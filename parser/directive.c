@@ -131,6 +131,15 @@ static bool run_gated(struct parser *p, enum keyword keyword, const struct direc
 	return ok && !p->failed;
 }
 
+static void tell_place(const struct parser *p, span where)
+{
+	const struct parse_options *o = p->options;
+	if (!o->asked || !atomic_load_explicit(o->asked, memory_order_relaxed))
+		return;
+	atomic_store_explicit(o->asked, false, memory_order_relaxed);
+	o->reached(o->reached_user, where);
+}
+
 /* Whether a directive that is faulty changes nothing but the names it declares. */
 static bool is_skippable(enum keyword keyword)
 {
@@ -148,9 +157,10 @@ bool directive_run(struct parser *p)
 	const struct directive *d = &f->source->directives[raw->payload];
 	if (x->gate == &x->scene_gate && !x->gate->depth)
 		x->statement.skippable = is_skippable(d->keyword);
+	const span where = { f->source->number, raw->offset, d->length, f->site };
 	raw_step(p);
-	return run_gated(
-		p, d->keyword, d, (span){ f->source->number, raw->offset, d->length, f->site });
+	tell_place(p, where);
+	return run_gated(p, d->keyword, d, where);
 }
 
 bool directive_bare(struct parser *p, enum keyword keyword, span where)

@@ -61,6 +61,9 @@ typedef void (*lambert_message_function)(void *user, const struct lambert_messag
 /* Text of #debug, #warning … ; `stream` is "debug", "warning", "render" or "statistics". */
 typedef void (*lambert_text_function)(void *user, const char *stream, const char *line);
 
+/* Where the reading of a scene is after that many seconds. */
+typedef void (*lambert_reading_function)(void *user, const struct lambert_place *, double seconds);
+
 struct lambert_declaration {
 	const char *name;
 	const char *string; /* NULL: a number */
@@ -89,7 +92,10 @@ struct lambert_scene_options {
 	size_t write_path_count;
 	lambert_message_function message; /* may be NULL */
 	lambert_text_function text;	  /* may be NULL */
-	void *user;			  /* for both */
+	/* Called at most four times a second, at a directive of the scene, from the thread that
+	 * calls the others too. May be NULL. */
+	lambert_reading_function progress;
+	void *user; /* for all three */
 };
 void lambert_scene_options_init(struct lambert_scene_options *);
 
@@ -140,8 +146,11 @@ lambert_image *lambert_render(const lambert_scene *, const struct lambert_render
 void lambert_image_destroy(lambert_image *);
 unsigned lambert_image_width(const lambert_image *);
 unsigned lambert_image_height(const lambert_image *);
-/* Five floats a pixel, row-major from the top left: red, green, blue (working space, premultiplied),
- * filter (0) and 1 - alpha. Lives as long as the image. */
+/* What was rendered of the picture, and what an image has in memory: left, top, right, bottom; first
+ * and one past the last pixel. The rest of the picture is black. */
+void lambert_image_region(const lambert_image *, unsigned region[4]);
+/* Five floats a pixel of the region, row-major from its top left: red, green, blue (working space,
+ * premultiplied), filter (0) and 1 - alpha. Lives as long as the image. */
 const float *lambert_image_pixels(const lambert_image *);
 
 struct lambert_output_options {
@@ -152,10 +161,17 @@ struct lambert_output_options {
 	double file_gamma; /* 0: sRGB */
 	char dither[3];	   /* "": none; "B2" "B3" "B4" "D1" "D2" "FS" */
 	int quality;	   /* JPEG, 2 to 100; 0: 85 */
+	/* Called for each row; false stops the writing. May be NULL. */
+	bool (*progress)(void *user, double share_done);
+	void *user;
 };
 void lambert_output_options_init(struct lambert_output_options *);
-/* Writes a picture; "-" is standard output. Options NULL: defaults. False: the message says why;
- * nothing is left behind. */
+/* Whether a picture of this size could be written to `path`: its format holds it, and the place may be
+ * written to. To be asked before rendering. False: the message says why. Changes nothing. */
+bool lambert_output_check(const char *path, unsigned width, unsigned height,
+	const struct lambert_output_options *, lambert_message_function, void *user);
+/* Writes a picture; "-" is standard output. Options NULL: defaults. False: the message says why, or it
+ * was stopped; nothing is left behind. */
 bool lambert_image_write(const lambert_image *, const char *path,
 	const struct lambert_output_options *, lambert_message_function, void *user);
 

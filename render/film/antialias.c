@@ -101,6 +101,17 @@ static colour divide(colour c, float by)
 
 /* ---- blocks row by row ---- */
 
+/* For the samples of a block and one more in each direction. */
+static void make_room(struct sampler *s, struct block b)
+{
+	const size_t count = (size_t)(1 + b.right - b.left) * (1 + b.bottom - b.top);
+	if (count <= s->room)
+		return;
+	free(s->samples);
+	s->samples = memory_alloc(count, sizeof *s->samples);
+	s->room = count;
+}
+
 static bool is_cancelled(const struct sampler *s)
 {
 	return s->cancelled && s->cancelled(s->cancelled_user);
@@ -110,7 +121,7 @@ static void block_plain(struct sampler *s, struct film *film, struct block b)
 {
 	for (unsigned y = b.top; y < b.bottom && !is_cancelled(s); y++) {
 		for (unsigned x = b.left; x < b.right; x++)
-			film->pixels[(size_t)y * film->width + x] = s->source(s->user, x, y);
+			*film_pixel(film, x, y) = s->source(s->user, x, y);
 	}
 }
 
@@ -160,9 +171,34 @@ static void draw_border(struct sampler *s, struct block b, size_t stride)
 	}
 }
 
-static void block_flat(struct sampler *s, struct film *film, struct block b)
+static void store_flat(
+	const struct sampler *s, struct film *film, struct block b, struct block inner)
 {
 	const size_t stride = 1 + b.right - b.left;
+	for (unsigned y = inner.top; y < inner.bottom; y++) {
+		const struct sample *row = &s->samples[(1 + y - b.top) * stride + 1];
+		for (unsigned x = inner.left; x < inner.right; x++)
+			*film_pixel(film, x, y) = row[x - b.left].colour;
+	}
+}
+
+/* What the pixels of `inner` depend on within their block: all that is drawn before them, because
+ * each comparison sees what earlier ones have made of the neighbours, and the next column and row,
+ * which may refine them. */
+static struct block reach(struct block b, struct block inner)
+{
+	if (inner.right < b.right)
+		b.right = inner.right + 1;
+	if (inner.bottom < b.bottom)
+		b.bottom = inner.bottom + 1;
+	return b;
+}
+
+static void block_flat(struct sampler *s, struct film *film, struct block whole, struct block inner)
+{
+	const struct block b = reach(whole, inner);
+	const size_t stride = 1 + b.right - b.left;
+	make_room(s, b);
 	draw_border(s, b, stride);
 	for (unsigned y = b.top; y < b.bottom; y++) {
 		if (is_cancelled(s))
@@ -173,11 +209,7 @@ static void block_flat(struct sampler *s, struct film *film, struct block b)
 			refine(s, &row[x - b.left], stride, x, y);
 		}
 	}
-	for (unsigned y = b.top; y < b.bottom; y++) {
-		const struct sample *row = &s->samples[(1 + y - b.top) * stride + 1];
-		for (unsigned x = b.left; x < b.right; x++)
-			film->pixels[(size_t)y * film->width + x] = row[x - b.left].colour;
-	}
+	store_flat(s, film, b, inner);
 }
 
 /* ---- method 2 ---- */
@@ -250,6 +282,7 @@ static colour pixel_from_corners(struct sampler *s, const struct sample *upper,
 static void block_recursive(struct sampler *s, struct film *film, struct block b)
 {
 	const size_t stride = 1 + b.right - b.left;
+	make_room(s, b);
 	for (unsigned y = b.top; y <= b.bottom; y++) {
 		for (unsigned x = b.left; x <= b.right; x++)
 			s->samples[(y - b.top) * stride + x - b.left] = draw(s, x - 0.5, y - 0.5);
@@ -259,7 +292,7 @@ static void block_recursive(struct sampler *s, struct film *film, struct block b
 			return;
 		const struct sample *upper = &s->samples[(y - b.top) * stride];
 		for (unsigned x = b.left; x < b.right; x++, upper++)
-			film->pixels[(size_t)y * film->width + x] =
+			*film_pixel(film, x, y) =
 				pixel_from_corners(s, upper, upper + stride, x, y);
 	}
 }
@@ -283,7 +316,7 @@ static void set_metric(struct sampler *s, const struct working_space *working)
 }
 
 void sampler_init(struct sampler *s, const struct antialias *settings,
-	const struct working_space *working, unsigned block_size, sample_source *source, void *user)
+	const struct working_space *working, sample_source *source, void *user)
 {
 	*s = (struct sampler){ .source = source, .user = user, .settings = *settings };
 	if (settings->method == 0)
@@ -292,7 +325,6 @@ void sampler_init(struct sampler *s, const struct antialias *settings,
 	set_metric(s, working);
 	s->jitter =
 		settings->jitter / (settings->method == 1 ? depth : ldexp(1, settings->depth) + 1);
-	s->samples = memory_alloc(((size_t)block_size + 1) * (block_size + 1), sizeof *s->samples);
 	if (settings->method == 2) {
 		const size_t side = grid_side(s);
 		s->grid = memory_alloc(side * side, sizeof *s->grid);
@@ -309,16 +341,33 @@ void sampler_finish(struct sampler *s)
 	free(s->drawn);
 }
 
-void sampler_block(struct sampler *s, struct film *film, struct block b)
+static unsigned larger(unsigned a, unsigned b)
 {
+	return a > b ? a : b;
+}
+
+static unsigned smaller(unsigned a, unsigned b)
+{
+	return a < b ? a : b;
+}
+
+static struct block common(struct block a, struct block b)
+{
+	return (struct block){ larger(a.left, b.left), larger(a.top, b.top),
+		smaller(a.right, b.right), smaller(a.bottom, b.bottom) };
+}
+
+void sampler_block(struct sampler *s, struct film *film, struct block b, struct block region)
+{
+	const struct block inner = common(b, region);
 	switch (s->settings.method) {
 	case 1:
-		block_flat(s, film, b);
+		block_flat(s, film, b, inner);
 		break;
 	case 2:
-		block_recursive(s, film, b);
+		block_recursive(s, film, inner);
 		break;
 	default:
-		block_plain(s, film, b);
+		block_plain(s, film, inner);
 	}
 }

@@ -10,11 +10,6 @@
 
 #include <stdint.h>
 
-/* First and one past the last pixel. */
-struct block {
-	unsigned left, top, right, bottom;
-};
-
 /* A sample and what comparisons see of it. */
 struct sample {
 	colour colour;
@@ -36,18 +31,19 @@ struct sampler {
 	struct power_curve srgb, gamma;
 	double jitter;		/* displacement at most, in pixels */
 	struct sample *samples; /* of the block: pixel centres or corners, and a border */
+	size_t room;		/* for so many */
 	struct sample *grid;	/* method 2: of the pixel in hand */
 	uint32_t *drawn;	/* the pixel a sample of the grid was drawn for */
 	uint32_t pixel;		/* counts pixels */
 };
 
-/* A sampler for blocks of at most block_size pixels a side. */
 void sampler_init(struct sampler *, const struct antialias *, const struct working_space *,
-	unsigned block_size, sample_source *, void *user);
+	sample_source *, void *user);
 void sampler_finish(struct sampler *);
-/* Fills the pixels of the block, reading no others: blocks do not depend on each other. A
- * cancelled block is left unfinished. */
-void sampler_block(struct sampler *, struct film *, struct block);
+/* Fills the pixels of the block that lie in the region, reading no others of the film: blocks do not
+ * depend on each other, and what a pixel becomes does not depend on the region. A cancelled block is
+ * left unfinished. */
+void sampler_block(struct sampler *, struct film *, struct block, struct block region);
 
 /* The displacement of the sample at (x, y), each component in [-1/2, 1/2). Pixel units: integers
  * are pixel centres, (0, 0) is the top left pixel of the whole picture. */

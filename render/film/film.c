@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Exposing the film: the region is cut into blocks from its own corner, threads
- * take the next block in row-major order, and each pixel is written by the one
- * thread that owns its block.
+ * Exposing the film: the picture is cut into blocks, threads take the next block
+ * that meets the region in row-major order, and each pixel is written by the one
+ * thread that owns its block. The blocks are those of the whole picture, because
+ * antialiasing looks at a block at a time: a region is the same bytes as its part
+ * of the picture.
  */
 #include "film/film.h"
 
@@ -15,13 +17,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct film *film_create(unsigned width, unsigned height)
+struct film *film_create_part(unsigned width, unsigned height, struct block part)
 {
 	struct film *film = memory_alloc(1, sizeof *film);
-	const size_t count = (size_t)width * height;
-	*film = (struct film){ width, height, memory_alloc(count, sizeof *film->pixels) };
+	const size_t count = (size_t)(part.right - part.left) * (part.bottom - part.top);
+	*film = (struct film){ width, height, part, memory_alloc(count, sizeof *film->pixels) };
 	memset(film->pixels, 0, count * sizeof *film->pixels);
 	return film;
+}
+
+struct film *film_create(unsigned width, unsigned height)
+{
+	return film_create_part(width, height, (struct block){ 0, 0, width, height });
 }
 
 void film_destroy(struct film *film)
@@ -35,8 +42,9 @@ void film_destroy(struct film *film)
 struct session {
 	struct film *film;
 	const struct exposure *exposure;
-	unsigned block_size, columns, rows;
-	struct worker **workers; /* one of each per thread */
+	unsigned block_size;
+	unsigned first_column, first_row, columns, rows; /* of blocks */
+	struct worker **workers;			 /* one of each per thread */
 	struct sampler *samplers;
 	pthread_mutex_t lock; /* of `done` and the progress function */
 	unsigned done;
@@ -48,13 +56,20 @@ static colour sample_worker(void *worker, double x, double y)
 	return trace_sample(worker, x, y);
 }
 
+/* The last block of a row or column ends with the picture. */
+static unsigned block_end(unsigned start, unsigned block_size, unsigned picture_end)
+{
+	return picture_end - start > block_size ? start + block_size : picture_end;
+}
+
 static struct block block_at(const struct session *s, size_t index)
 {
-	const struct exposure *e = s->exposure;
-	struct block b = { .left = e->left + (unsigned)(index % s->columns) * s->block_size,
-		.top = e->top + (unsigned)(index / s->columns) * s->block_size };
-	b.right = e->right - b.left > s->block_size ? b.left + s->block_size : e->right;
-	b.bottom = e->bottom - b.top > s->block_size ? b.top + s->block_size : e->bottom;
+	struct block b = {
+		.left = (s->first_column + (unsigned)(index % s->columns)) * s->block_size,
+		.top = (s->first_row + (unsigned)(index / s->columns)) * s->block_size,
+	};
+	b.right = block_end(b.left, s->block_size, s->film->width);
+	b.bottom = block_end(b.top, s->block_size, s->film->height);
 	return b;
 }
 
@@ -89,7 +104,7 @@ static void expose_block(void *user, size_t index, unsigned thread)
 	struct session *s = user;
 	if (atomic_load_explicit(&s->stop, memory_order_relaxed))
 		return;
-	sampler_block(&s->samplers[thread], s->film, block_at(s, index));
+	sampler_block(&s->samplers[thread], s->film, block_at(s, index), s->exposure->region);
 	report(s);
 }
 
@@ -106,26 +121,30 @@ static void add_stats(struct trace_stats *to, const struct trace_stats *from)
 
 static unsigned blocks_across(unsigned from, unsigned to, unsigned size)
 {
-	return (to - from - 1) / size + 1;
+	return (to - 1) / size - from / size + 1;
 }
 
-/* A block larger than the region is the region. */
-static unsigned usual_block(const struct exposure *e)
+static struct session session_for(struct film *film, const struct exposure *e)
 {
-	const unsigned width = e->right - e->left, height = e->bottom - e->top;
-	const unsigned longest = width > height ? width : height;
+	const struct block r = e->region;
 	const unsigned size = e->block_size ? e->block_size : 32;
-	return size < longest ? size : longest;
+	return (struct session){
+		.film = film,
+		.exposure = e,
+		.block_size = size,
+		.first_column = r.left / size,
+		.first_row = r.top / size,
+		.columns = blocks_across(r.left, r.right, size),
+		.rows = blocks_across(r.top, r.bottom, size),
+	};
 }
 
 bool film_expose(struct film *film, const struct scene *scene, const struct exposure *e,
 	struct trace_stats *stats)
 {
-	if (e->left >= e->right || e->top >= e->bottom)
+	if (e->region.left >= e->region.right || e->region.top >= e->region.bottom)
 		return true;
-	struct session s = { .film = film, .exposure = e, .block_size = usual_block(e) };
-	s.columns = blocks_across(e->left, e->right, s.block_size);
-	s.rows = blocks_across(e->top, e->bottom, s.block_size);
+	struct session s = session_for(film, e);
 	const size_t blocks = (size_t)s.columns * s.rows;
 	const unsigned wanted = e->threads ? e->threads : 1;
 	const unsigned threads = wanted < blocks ? wanted : (unsigned)blocks;
@@ -133,8 +152,8 @@ bool film_expose(struct film *film, const struct scene *scene, const struct expo
 	s.samplers = memory_alloc(threads, sizeof *s.samplers);
 	for (unsigned i = 0; i < threads; i++) {
 		s.workers[i] = worker_create(scene, film->width, film->height);
-		sampler_init(&s.samplers[i], &e->antialias, &scene->settings.working, s.block_size,
-			sample_worker, s.workers[i]);
+		sampler_init(&s.samplers[i], &e->antialias, &scene->settings.working, sample_worker,
+			s.workers[i]);
 		s.samplers[i].cancelled = is_stopped;
 		s.samplers[i].cancelled_user = &s;
 	}

@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Pictures in files: encodes the film, hands it to the writer of its format, and
- * puts the finished file in its place. Until then it stands under another name
- * in the same folder, so that a good picture is never replaced by half of one.
+ * Pictures in files: hands the rows of the film, as they are encoded, to the writer
+ * of their format. The file takes the place of an older one when it is complete
+ * (image_target.c), so that a good picture is never replaced by half of one.
  */
 #include "image/image.h"
 
 #include "base/arena.h"
 #include "image_encode.h"
 #include "image/image_format.h"
+#include "image_target.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -43,19 +45,21 @@ struct format {
 	bool (*write)(FILE *, const struct raster *, char *reason);
 	bool grayscale, alpha, is_float;
 	int bits_max;
+	unsigned side_max; /* pixels; of PNG: what its usual readers accept */
+	double bytes_max;  /* of samples; 0: no limit */
 };
 
 // clang-format off
 static const struct format formats[] = {
-	[IMAGE_PNG]     = { "PNG",  NULL,      NULL,   png_write, true,  true,  false, 16 },
-	[IMAGE_PPM]     = { "PPM",  NULL,      NULL,   pnm_write, true,  false, false, 16 },
-	[IMAGE_TGA]     = { "TGA",  "targa",   "none", NULL,      false, true,  false, 8 },
-	[IMAGE_TGA_RLE] = { "TGA",  "targa",   "rle",  NULL,      false, true,  false, 8 },
-	[IMAGE_BMP]     = { "BMP",  "bmp",     "",     NULL,      false, true,  false, 8 },
-	[IMAGE_JPEG]    = { "JPEG", "jpeg",    "",     NULL,      false, false, false, 8 },
-	[IMAGE_EXR]     = { "EXR",  "openexr", "zip",  NULL,      false, true,  true,  32 },
-	[IMAGE_HDR]     = { "HDR",  "hdr",     "",     NULL,      false, false, true,  32 },
-	[IMAGE_TIFF]    = { "TIFF", "tiff",    "zip",  NULL,      false, true,  false, 16 },
+	[IMAGE_PNG]     = { "PNG",  NULL,      NULL,   png_write, true,  true,  false, 16, 1000000, 0 },
+	[IMAGE_PPM]     = { "PPM",  NULL,      NULL,   pnm_write, true,  false, false, 16, INT_MAX, 0 },
+	[IMAGE_TGA]     = { "TGA",  "targa",   "none", NULL,      false, true,  false, 8,  65535,   4294967000 },
+	[IMAGE_TGA_RLE] = { "TGA",  "targa",   "rle",  NULL,      false, true,  false, 8,  65535,   4294967000 },
+	[IMAGE_BMP]     = { "BMP",  "bmp",     "",     NULL,      false, true,  false, 8,  INT_MAX, 2147483000 },
+	[IMAGE_JPEG]    = { "JPEG", "jpeg",    "",     NULL,      false, false, false, 8,  65500,   0 },
+	[IMAGE_EXR]     = { "EXR",  "openexr", "zip",  NULL,      false, true,  true,  32, INT_MAX, 0 },
+	[IMAGE_HDR]     = { "HDR",  "hdr",     "",     NULL,      false, false, true,  32, INT_MAX, 0 },
+	[IMAGE_TIFF]    = { "TIFF", "tiff",    "zip",  NULL,      false, true,  false, 16, INT_MAX, 0 },
 };
 // clang-format on
 
@@ -88,14 +92,44 @@ static float file_gamma(const struct image_encoding *e)
 						     : 2.2f;
 }
 
-/* The encoded picture; its samples are the caller's to free. */
-static struct raster develop(const struct film *film, const struct image_encoding *e)
+/* The rows of a picture on their way to a writer. */
+struct rows {
+	struct encoder *encoder;
+	unsigned height;
+	bool (*progress)(void *user, double share_done); /* or NULL */
+	void *user;
+	bool stopped;	       /* by progress */
+	struct target *target; /* the file under way; NULL: standard output */
+};
+
+static bool next_row(void *source, unsigned y, void *samples)
 {
-	struct raster r = {
+	struct rows *rows = source;
+	if (rows->progress && !rows->progress(rows->user, (double)y / rows->height)) {
+		rows->stopped = true;
+		if (rows->target) /* now: the writer of the format may not return for a while */
+			target_abandon(rows->target);
+		return false;
+	}
+	encoder_row(rows->encoder, y, samples);
+	return true;
+}
+
+/* The encoded picture. */
+static struct raster raster_of(
+	const struct film *film, const struct image_encoding *e, struct rows *rows)
+{
+	return (struct raster){
 		.width = film->width,
 		.height = film->height,
 		.channels = encode_channels(e),
+		.sample_bits = formats[e->format].is_float ? 32
+			       : e->bits <= 8		   ? 8
+							   : 16,
 		.bits = e->bits,
+		.row = next_row,
+		.source = rows,
+		.row_bytes = encoder_row_bytes(rows->encoder),
 		.gamma = file_gamma(e),
 		.is_srgb = e->file.transfer == TRANSFER_SRGB || e->file.transfer == TRANSFER_NONE,
 		.is_premultiplied = e->format == IMAGE_EXR,
@@ -103,104 +137,6 @@ static struct raster develop(const struct film *film, const struct image_encodin
 			   : e->quality > 100 ? 100
 					      : e->quality,
 	};
-	const bool is_float = formats[e->format].is_float;
-	r.sample_bits = is_float ? 32 : e->bits <= 8 ? 8 : 16;
-	const size_t count = (size_t)r.width * r.height * r.channels;
-	void *samples = memory_alloc(count, (size_t)r.sample_bits / 8);
-	if (is_float)
-		encode_linear(film, e, samples);
-	else
-		encode_codes(film, e, samples);
-	r.samples = samples;
-	return r;
-}
-
-/* The file under way */
-
-struct target {
-	char *path;	 /* where the file shall be, links resolved */
-	char *temporary; /* where it is written; NULL: in place */
-	mode_t mode;
-};
-
-static char *printed(const char *format, ...) __attribute__((format(printf, 1, 2)));
-static char *printed(const char *format, ...)
-{
-	va_list args;
-	va_start(args, format);
-	const int n = vsnprintf(NULL, 0, format, args);
-	va_end(args);
-	char *text = memory_alloc((size_t)n + 1, 1);
-	va_start(args, format);
-	vsnprintf(text, (size_t)n + 1, format, args);
-	va_end(args);
-	return text;
-}
-
-/* A name beside `path` that no file has yet; the file is created. */
-static char *create_beside(const char *path, mode_t mode)
-{
-	const char *slash = strrchr(path, '/');
-	const int folder = slash ? (int)(slash - path) + 1 : 0;
-	for (unsigned n = 0; n < 1000; n++) {
-		char *name = printed(
-			"%.*s.%.100s.%ld-%u.part", folder, path, path + folder, (long)getpid(), n);
-		const int fd = open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, mode);
-		if (fd >= 0) {
-			close(fd);
-			return name;
-		}
-		const int error = errno;
-		free(name);
-		errno = error;
-		if (error != EEXIST)
-			break;
-	}
-	return NULL;
-}
-
-static void target_finish(struct target *t)
-{
-	if (t->temporary)
-		unlink(t->temporary);
-	free(t->temporary);
-	free(t->path);
-}
-
-static bool target_init(struct target *t, const char *path, const char **why)
-{
-	struct stat s;
-	*t = (struct target){ .mode = 0666 };
-	t->path = realpath(path, NULL);
-	if (!t->path)
-		t->path = printed("%s", path);
-	const bool exists = stat(t->path, &s) == 0;
-	if (exists && S_ISDIR(s.st_mode))
-		return fail(why, "it is a folder");
-	if (exists && !S_ISREG(s.st_mode))
-		return true;
-	if (exists && access(t->path, W_OK) != 0)
-		return fail(why, "%s", strerror(errno));
-	if (exists)
-		t->mode = s.st_mode & 0777;
-	t->temporary = create_beside(t->path, t->mode);
-	return t->temporary || fail(why, "%s", strerror(errno));
-}
-
-static const char *target_name(const struct target *t)
-{
-	return t->temporary ? t->temporary : t->path;
-}
-
-static bool target_commit(struct target *t, const char **why)
-{
-	if (!t->temporary)
-		return true;
-	if (rename(t->temporary, t->path) != 0)
-		return fail(why, "%s", strerror(errno));
-	free(t->temporary);
-	t->temporary = NULL;
-	return true;
 }
 
 /* Writing */
@@ -254,21 +190,32 @@ static bool copy_to_stdout(const char *path, const char **why)
 	return close_file(stdout, why);
 }
 
+/* A file that has no name any more, so that nothing can be left behind. */
+static int open_nameless(const char **why)
+{
+	const char *folder = getenv("TMPDIR");
+	char path[PATH_MAX];
+	snprintf(path, sizeof path, "%s/lambert-XXXXXX", folder && *folder ? folder : "/tmp");
+	const int fd = mkostemp(path, O_CLOEXEC);
+	if (fd < 0)
+		fail(why, "%s: %s", path, strerror(errno));
+	else
+		unlink(path);
+	return fd;
+}
+
 /* The module writes files only: by way of a temporary one. */
 static bool write_stdout(const struct raster *r, const struct format *f, const char **why)
 {
 	if (!f->module_name)
 		return write_stream(stdout, r, f, why);
-	const char *folder = getenv("TMPDIR");
-	char *path = printed("%s/lambert-XXXXXX", folder && *folder ? folder : "/tmp");
-	const int fd = mkstemp(path);
-	bool ok = fd >= 0 || fail(why, "%s: %s", path, strerror(errno));
-	if (fd >= 0) {
-		close(fd);
-		ok = write_module(path, r, f, why) && copy_to_stdout(path, why);
-		unlink(path);
-	}
-	free(path);
+	const int fd = open_nameless(why);
+	if (fd < 0)
+		return false;
+	char path[64];
+	snprintf(path, sizeof path, "/proc/self/fd/%d", fd);
+	const bool ok = write_module(path, r, f, why) && copy_to_stdout(path, why);
+	close(fd);
 	return ok;
 }
 
@@ -276,23 +223,59 @@ static bool write_file(
 	const char *path, const struct raster *r, const struct format *f, const char **why)
 {
 	struct target target;
-	const bool ok = target_init(&target, path, why) &&
-			write_path(target_name(&target), r, f, why) && target_commit(&target, why);
+	struct rows *rows = r->source;
+	rows->target = &target;
+	char text[REASON_SIZE] = "";
+	bool ok = target_init(&target, path, text) || fail(why, "%s", text);
+	ok = ok && write_path(target_name(&target), r, f, why) &&
+	     (target_commit(&target, text) || fail(why, "%s", text));
 	target_finish(&target);
 	return ok;
 }
 
+/* What the format can hold. */
+static bool check_format(
+	unsigned width, unsigned height, const struct image_encoding *e, const char **why)
+{
+	const struct format *f = &formats[e->format];
+	if (e->grayscale && !f->grayscale)
+		return fail(why, "%s has no grayscale here; PNG and PPM have", f->name);
+	if (width > f->side_max || height > f->side_max)
+		return fail(why, "%u x %u pixels are too many for %s; a side has at most %u", width,
+			height, f->name, f->side_max);
+	const double bytes = (double)width * height * encode_channels(e);
+	if (f->bytes_max > 0 && bytes > f->bytes_max)
+		return fail(why, "%u x %u pixels are too many for %s; it has at most %.0f bytes",
+			width, height, f->name, f->bytes_max);
+	return true;
+}
+
+bool image_check(unsigned width, unsigned height, const struct image_encoding *wanted,
+	const char *path, const char **why)
+{
+	const struct image_encoding e = fitted(wanted);
+	char text[REASON_SIZE] = "";
+	return check_format(width, height, &e, why) &&
+	       (strcmp(path, "-") == 0 || target_check(path, text) || fail(why, "%s", text));
+}
+
 bool image_write(const struct film *film, const struct image_encoding *wanted, const char *path,
-	const char **why)
+	bool (*progress)(void *user, double share_done), void *user, const char **why)
 {
 	const struct image_encoding e = fitted(wanted);
 	const struct format *f = &formats[e.format];
-	if (e.grayscale && !f->grayscale)
-		return fail(why, "%s has no grayscale here; PNG and PPM have", f->name);
-	const struct raster r = develop(film, &e);
+	if (!check_format(film->width, film->height, &e, why))
+		return false;
+	struct rows rows = { .encoder = encoder_create(film, &e, f->is_float),
+		.height = film->height,
+		.progress = progress,
+		.user = user };
+	const struct raster r = raster_of(film, &e, &rows);
 	const bool ok =
 		strcmp(path, "-") == 0 ? write_stdout(&r, f, why) : write_file(path, &r, f, why);
-	free((void *)r.samples);
+	encoder_destroy(rows.encoder);
+	if (rows.stopped)
+		*why = NULL;
 	return ok;
 }
 

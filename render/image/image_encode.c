@@ -315,7 +315,7 @@ static void diffusion_store(struct diffusion *d, unsigned x, const float error[4
 	}
 }
 
-/* Whole pictures */
+/* Rows */
 
 static void put_code(const struct image_encoding *e, void *codes, size_t index, unsigned code)
 {
@@ -325,27 +325,33 @@ static void put_code(const struct image_encoding *e, void *codes, size_t index, 
 		((uint16_t *)codes)[index] = (uint16_t)code;
 }
 
-static void encode_plain(const struct film *film, const struct image_encoding *e, void *codes)
+struct encoder {
+	const struct film *film;
+	struct image_encoding encoding;
+	unsigned channels, colours; /* samples of a pixel; those that are not alpha */
+	bool is_float;
+	struct working_space working; /* floats: what they are decoded from */
+	struct code_table *table;     /* for up to 8 bits without dithering */
+	struct diffusion diffusion;   /* with dithering */
+	colour *pixels;		      /* of a row that the film does not keep as a whole */
+	void *black; /* a row without pixels of the film, as encoded; NULL: none yet */
+	size_t row_bytes;
+};
+
+static void plain_row(const struct encoder *c, const colour *pixels, void *codes)
 {
-	const unsigned channels = encode_channels(e), colours = channels - (e->alpha ? 1 : 0);
+	const struct image_encoding *e = &c->encoding;
 	const float maximum = (float)maximum_code(e);
-	const size_t pixels = (size_t)film->width * film->height;
-	struct code_table *table = NULL;
-	if (e->bits <= 8) {
-		table = memory_alloc(1, sizeof *table);
-		table_init(table, e);
-	}
-	for (size_t i = 0; i < pixels; i++) {
+	for (size_t x = 0; x < c->film->width; x++) {
 		float s[4];
-		pixel_samples(e, film->pixels[i], s);
-		for (unsigned c = 0; c < channels; c++) {
-			const unsigned code = c >= colours ? quantise(s[c], maximum)
-					      : table	   ? table_code(table, s[c])
-						      : quantise(encode_value(e, s[c]), maximum);
-			put_code(e, codes, i * channels + c, code);
+		pixel_samples(e, pixels[x], s);
+		for (unsigned i = 0; i < c->channels; i++) {
+			const unsigned code = i >= c->colours ? quantise(s[i], maximum)
+					      : c->table      ? table_code(c->table, s[i])
+							 : quantise(encode_value(e, s[i]), maximum);
+			put_code(e, codes, x * c->channels + i, code);
 		}
 	}
-	free(table);
 }
 
 /* The code of one sample; *error is what arrives from other pixels, then what goes on to them. */
@@ -361,48 +367,115 @@ static unsigned dithered_code(
 	return code;
 }
 
-static void encode_dithered(const struct film *film, const struct image_encoding *e, void *codes)
+static void dithered_row(struct encoder *c, unsigned y, const colour *pixels, void *codes)
 {
-	const unsigned channels = encode_channels(e);
+	const struct image_encoding *e = &c->encoding;
 	const bool diffuses = e->dither >= DITHER_D1;
-	struct diffusion diffusion;
-	diffusion_init(&diffusion, e->dither, film->width);
-	for (unsigned y = 0; y < film->height; y++) {
-		for (unsigned x = 0; x < film->width; x++) {
-			const size_t i = (size_t)y * film->width + x;
-			float s[4], error[4];
-			pixel_samples(e, film->pixels[i], s);
-			diffusion_fetch(&diffusion, x, error);
-			const float offset = diffuses ? 0 : ordered_offset(e->dither, x, y);
-			for (unsigned c = 0; c < channels; c++)
-				put_code(e, codes, i * channels + c,
-					dithered_code(e, s[c], e->alpha && c == channels - 1,
-						offset, &error[c]));
-			if (diffuses)
-				diffusion_store(&diffusion, x, error);
-		}
+	for (unsigned x = 0; x < c->film->width; x++) {
+		float s[4], error[4];
+		pixel_samples(e, pixels[x], s);
+		diffusion_fetch(&c->diffusion, x, error);
+		const float offset = diffuses ? 0 : ordered_offset(e->dither, x, y);
+		for (unsigned i = 0; i < c->channels; i++)
+			put_code(e, codes, (size_t)x * c->channels + i,
+				dithered_code(e, s[i], i >= c->colours, offset, &error[i]));
+		if (diffuses)
+			diffusion_store(&c->diffusion, x, error);
 	}
-	diffusion_finish(&diffusion);
 }
 
-void encode_codes(const struct film *film, const struct image_encoding *e, void *codes)
+static void linear_row(const struct encoder *c, const colour *pixels, float *samples)
 {
-	if (e->dither == DITHER_NONE)
-		encode_plain(film, e, codes);
-	else
-		encode_dithered(film, e, codes);
-}
-
-void encode_linear(const struct film *film, const struct image_encoding *e, float *samples)
-{
-	const unsigned channels = encode_channels(e), colours = channels - (e->alpha ? 1 : 0);
-	const struct working_space working = simplified(e->working);
-	const size_t pixels = (size_t)film->width * film->height;
-	for (size_t i = 0; i < pixels; i++) {
+	for (size_t x = 0; x < c->film->width; x++) {
 		float s[4];
-		pixel_samples(e, film->pixels[i], s);
-		for (unsigned c = 0; c < colours; c++)
-			s[c] = curve_decode(working, s[c]);
-		memcpy(samples + i * channels, s, channels * sizeof *s);
+		pixel_samples(&c->encoding, pixels[x], s);
+		for (unsigned i = 0; i < c->colours; i++)
+			s[i] = curve_decode(c->working, s[i]);
+		memcpy(samples + x * c->channels, s, c->channels * sizeof *s);
 	}
+}
+
+static void encode_row(struct encoder *c, unsigned y, const colour *pixels, void *out)
+{
+	if (c->is_float)
+		linear_row(c, pixels, out);
+	else if (c->encoding.dither == DITHER_NONE)
+		plain_row(c, pixels, out);
+	else
+		dithered_row(c, y, pixels, out);
+}
+
+/* The pixels of a row, black where the film keeps none. */
+static const colour *row_pixels(struct encoder *c, unsigned y)
+{
+	const struct film *film = c->film;
+	const struct block *part = &film->part;
+	const unsigned width = part->right - part->left;
+	const bool is_kept = y >= part->top && y < part->bottom;
+	if (is_kept && width == film->width)
+		return film_pixel(film, 0, y);
+	memset(c->pixels, 0, film->width * sizeof *c->pixels);
+	if (is_kept)
+		memcpy(c->pixels + part->left, film_pixel(film, part->left, y),
+			width * sizeof *c->pixels);
+	return c->pixels;
+}
+
+/* Without dithering black rows are all the same. */
+static void black_row(struct encoder *c, unsigned y, void *out)
+{
+	if (!c->black) {
+		c->black = memory_alloc(c->row_bytes, 1);
+		encode_row(c, y, row_pixels(c, y), c->black);
+	}
+	memcpy(out, c->black, c->row_bytes);
+}
+
+struct encoder *encoder_create(
+	const struct film *film, const struct image_encoding *e, bool is_float)
+{
+	struct encoder *c = memory_alloc(1, sizeof *c);
+	*c = (struct encoder){ .film = film,
+		.encoding = *e,
+		.channels = encode_channels(e),
+		.is_float = is_float,
+		.working = simplified(e->working) };
+	c->colours = c->channels - (e->alpha ? 1 : 0);
+	c->row_bytes = (size_t)film->width * c->channels *
+		       (is_float	     ? sizeof(float)
+			       : e->bits > 8 ? sizeof(uint16_t)
+					     : sizeof(uint8_t));
+	c->pixels = memory_alloc(film->width, sizeof *c->pixels);
+	if (!is_float && e->dither == DITHER_NONE && e->bits <= 8) {
+		c->table = memory_alloc(1, sizeof *c->table);
+		table_init(c->table, e);
+	}
+	diffusion_init(&c->diffusion, e->dither, film->width);
+	return c;
+}
+
+void encoder_destroy(struct encoder *c)
+{
+	if (!c)
+		return;
+	diffusion_finish(&c->diffusion);
+	free(c->table);
+	free(c->pixels);
+	free(c->black);
+	free(c);
+}
+
+size_t encoder_row_bytes(const struct encoder *c)
+{
+	return c->row_bytes;
+}
+
+void encoder_row(struct encoder *c, unsigned y, void *out)
+{
+	const struct block *part = &c->film->part;
+	const bool is_black = y < part->top || y >= part->bottom;
+	if (is_black && (c->is_float || c->encoding.dither == DITHER_NONE))
+		black_row(c, y, out);
+	else
+		encode_row(c, y, row_pixels(c, y), out);
 }

@@ -1,22 +1,39 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Finds and opens the module that knows picture formats other than PNG: beside
- * the executable, in the build tree, in the library folder of the installation.
+ * Finds and opens the module that knows picture formats other than PNG: in the
+ * build folder for programs that run from there, else in the library folder of the
+ * installation that the program is in, else in the one that was configured. A
+ * program that stands elsewhere opens nothing from where it was once built: others
+ * might be able to put something there.
  * The dynamic loader keeps one copy per process, so nothing is remembered here.
  */
 #include "image/image_format.h"
 
 #include <dlfcn.h>
 #include <limits.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #ifndef LAMBERT_MODULE_DIR
 #define LAMBERT_MODULE_DIR "/usr/local/lib/lambert"
 #endif
+#ifndef LAMBERT_LIBRARY_FOLDER /* seen from the prefix */
+#define LAMBERT_LIBRARY_FOLDER "lib"
+#endif
 #ifndef LAMBERT_BUILD_DIR
 #define LAMBERT_BUILD_DIR LAMBERT_MODULE_DIR
 #endif
+
+/* Whether it is the build folder or one below. */
+static bool is_in_build(const char *folder)
+{
+	char outer[PATH_MAX];
+	if (!realpath(LAMBERT_BUILD_DIR, outer))
+		return false;
+	const size_t n = strlen(outer);
+	return strncmp(folder, outer, n) == 0 && (folder[n] == 0 || folder[n] == '/');
+}
 
 /* The folder of the running program, "" if the system does not tell. */
 static void program_folder(char *folder, size_t size)
@@ -41,11 +58,9 @@ const struct image_module *image_module_open(char *reason)
 {
 	char folder[PATH_MAX];
 	program_folder(folder, sizeof folder);
-	void *module = open_in(folder, "");
+	void *module = is_in_build(folder) ? open_in(LAMBERT_BUILD_DIR, "") : NULL;
 	if (!module)
-		module = open_in(LAMBERT_BUILD_DIR, "");
-	if (!module)
-		module = open_in(folder, "/../lib/lambert");
+		module = open_in(folder, "/../" LAMBERT_LIBRARY_FOLDER "/lambert");
 	if (!module)
 		module = open_in(LAMBERT_MODULE_DIR, "");
 	const struct image_module *found = module ? dlsym(module, IMAGE_MODULE_SYMBOL) : NULL;

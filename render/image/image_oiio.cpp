@@ -9,9 +9,11 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <vector>
 
 using OIIO::ImageInput;
 using OIIO::ImageOutput;
@@ -61,6 +63,23 @@ ImageSpec describe(const raster &r, const std::string &format, const char *compr
 	return spec;
 }
 
+/* A multiple of the rows that formats compress together. */
+const unsigned ROWS = 64;
+
+bool write_rows(ImageOutput &out, const raster &r)
+{
+	std::vector<unsigned char> rows(r.row_bytes * std::min(ROWS, r.height));
+	for (unsigned y = 0; y < r.height; y += ROWS) {
+		const unsigned end = std::min(y + ROWS, r.height);
+		for (unsigned i = y; i < end; i++)
+			if (!r.row(r.source, i, &rows[(i - y) * r.row_bytes]))
+				return false;
+		if (!out.write_scanlines(int(y), int(end), 0, sample_type(r), rows.data()))
+			return false;
+	}
+	return true;
+}
+
 bool write_picture(const char *path, const char *format, const char *compression, const raster *r,
 	char *reason)
 {
@@ -70,7 +89,7 @@ bool write_picture(const char *path, const char *format, const char *compression
 			return fail(reason, std::string("OpenImageIO cannot write ") + format);
 		if (!out->open(path, describe(*r, format, compression)))
 			return fail(reason, out->geterror());
-		if (!out->write_image(sample_type(*r), r->samples) || !out->close())
+		if (!write_rows(*out, *r) || !out->close())
 			return fail(reason, out->geterror());
 		return true;
 	} catch (const std::exception &e) {

@@ -39,7 +39,8 @@ struct writing {
 	png_structp png;
 	png_infop info;
 	const struct raster *raster;
-	uint8_t *row; /* for codes that do not fill their 8 or 16 bits */
+	uint8_t *row;	 /* as encoded */
+	uint8_t *filled; /* for codes that do not fill their 8 or 16 bits */
 };
 
 static int colour_type(unsigned channels)
@@ -65,21 +66,25 @@ static void store(uint8_t *out, unsigned value, int depth)
 	*out = (uint8_t)(value & 255);
 }
 
-static void write_row(struct writing *w, unsigned y)
+static bool write_row(struct writing *w, unsigned y)
 {
 	const struct raster *r = w->raster;
 	const size_t count = (size_t)r->width * r->channels;
+	if (!r->row(r->source, y, w->row))
+		return false;
 	if (r->sample_bits == 8 && r->bits == 8) {
-		png_write_row(w->png, (const uint8_t *)r->samples + y * count);
-		return;
+		png_write_row(w->png, w->row);
+		return true;
 	}
 	const size_t bytes = (size_t)(r->sample_bits / 8);
 	for (size_t i = 0; i < count; i++) {
-		const unsigned code = bytes == 1 ? ((const uint8_t *)r->samples)[y * count + i]
-						 : ((const uint16_t *)r->samples)[y * count + i];
-		store(w->row + i * bytes, replicate(code, r->bits, r->sample_bits), r->sample_bits);
+		const unsigned code =
+			bytes == 1 ? w->row[i] : ((const uint16_t *)(const void *)w->row)[i];
+		store(w->filled + i * bytes, replicate(code, r->bits, r->sample_bits),
+			r->sample_bits);
 	}
-	png_write_row(w->png, w->row);
+	png_write_row(w->png, w->filled);
+	return true;
 }
 
 static void write_header(struct writing *w)
@@ -107,7 +112,8 @@ static bool write_all(struct writing *w, FILE *file)
 	png_set_filter(w->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
 	write_header(w);
 	for (unsigned y = 0; y < w->raster->height; y++)
-		write_row(w, y);
+		if (!write_row(w, y))
+			return false;
 	png_write_end(w->png, NULL);
 	return true;
 }
@@ -117,12 +123,14 @@ bool png_write(FILE *file, const struct raster *raster, char *reason)
 	struct writing w = { .raster = raster };
 	w.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, reason, on_error, on_warning);
 	w.info = w.png ? png_create_info_struct(w.png) : NULL;
-	w.row = memory_alloc((size_t)raster->width * raster->channels, 2);
+	w.row = memory_alloc(raster->row_bytes, 1);
+	w.filled = memory_alloc(raster->row_bytes, 1);
 	const bool ok = w.info && write_all(&w, file);
 	if (!w.info)
 		snprintf(reason, REASON_SIZE, "libpng cannot be used");
 	png_destroy_write_struct(&w.png, &w.info);
 	free(w.row);
+	free(w.filled);
 	return ok;
 }
 

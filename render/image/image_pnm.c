@@ -10,31 +10,29 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-static void put_row(unsigned char *out, const struct raster *r, size_t first, size_t count)
+/* Codes of two bytes, in place. */
+static void put_high_bytes_first(void *row, size_t count)
 {
-	if (r->sample_bits == 8) {
-		const uint8_t *codes = (const uint8_t *)r->samples + first;
-		for (size_t i = 0; i < count; i++)
-			out[i] = codes[i];
-		return;
-	}
-	const uint16_t *codes = (const uint16_t *)r->samples + first;
+	const uint16_t *codes = row;
+	unsigned char *out = row;
 	for (size_t i = 0; i < count; i++) {
-		out[2 * i] = (unsigned char)(codes[i] >> 8);
-		out[2 * i + 1] = (unsigned char)(codes[i] & 255);
+		const unsigned code = codes[i];
+		out[2 * i] = (unsigned char)(code >> 8);
+		out[2 * i + 1] = (unsigned char)(code & 255);
 	}
 }
 
 bool pnm_write(FILE *file, const struct raster *r, char *reason)
 {
 	const size_t count = (size_t)r->width * r->channels;
-	const size_t bytes = count * (size_t)(r->sample_bits / 8);
-	unsigned char *row = memory_alloc(bytes, 1);
+	void *row = memory_alloc(r->row_bytes, 1);
 	bool ok = fprintf(file, "P%c\n%u %u\n%u\n", r->channels == 1 ? '5' : '6', r->width,
 			  r->height, (1u << r->bits) - 1) > 0;
 	for (unsigned y = 0; ok && y < r->height; y++) {
-		put_row(row, r, y * count, count);
-		ok = fwrite(row, 1, bytes, file) == bytes;
+		ok = r->row(r->source, y, row);
+		if (r->sample_bits == 16)
+			put_high_bytes_first(row, count);
+		ok = ok && fwrite(row, 1, r->row_bytes, file) == r->row_bytes;
 	}
 	free(row);
 	if (!ok)

@@ -101,11 +101,11 @@ static unsigned expose(const struct antialias *aa, const struct working_space *w
 	struct edge edge, unsigned size, colour row[WIDTH])
 {
 	colour pixels[WIDTH * HEIGHT];
-	struct film film = { WIDTH, HEIGHT, pixels };
+	struct film film = { WIDTH, HEIGHT, { 0, 0, WIDTH, HEIGHT }, pixels };
 	struct sampler s;
-	sampler_init(&s, aa, working, WIDTH, edge_sample, &edge);
+	sampler_init(&s, aa, working, edge_sample, &edge);
 	for (unsigned left = 0; left < WIDTH; left += size)
-		sampler_block(&s, &film, (struct block){ left, 0, left + size, HEIGHT });
+		sampler_block(&s, &film, (struct block){ left, 0, left + size, HEIGHT }, film.part);
 	sampler_finish(&s);
 	memcpy(row, pixels + WIDTH, WIDTH * sizeof *row);
 	return edge.samples;
@@ -231,10 +231,10 @@ static void samples_are_displaced(void **state)
 	};
 	struct places p = { .count = 0 };
 	colour pixels[12];
-	struct film film = { 4, 3, pixels };
+	struct film film = { 4, 3, { 0, 0, 4, 3 }, pixels };
 	struct sampler s;
-	sampler_init(&s, &aa, &linear, 4, record, &p);
-	sampler_block(&s, &film, (struct block){ 3, 2, 4, 3 });
+	sampler_init(&s, &aa, &linear, record, &p);
+	sampler_block(&s, &film, (struct block){ 3, 2, 4, 3 }, film.part);
 	sampler_finish(&s);
 	assert_int_equal(p.count, 2 + 1 + 4); /* border, centre, four more */
 	for (int i = 0; i < 4; i++) {

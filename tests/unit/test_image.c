@@ -40,6 +40,15 @@ static struct film *film_of(unsigned width, unsigned height, colour c)
 	return film;
 }
 
+/* The codes of a whole film. */
+static void encode_codes(const struct film *film, const struct image_encoding *e, void *codes)
+{
+	struct encoder *encoder = encoder_create(film, e, false);
+	for (unsigned y = 0; y < film->height; y++)
+		encoder_row(encoder, y, (char *)codes + y * encoder_row_bytes(encoder));
+	encoder_destroy(encoder);
+}
+
 /* The 8-bit code of a grey of this value. */
 static unsigned code(const struct image_encoding *e, float value)
 {
@@ -233,7 +242,7 @@ static void comes_back(int bits, bool alpha, bool grayscale)
 	e.alpha = alpha;
 	e.grayscale = grayscale;
 	const char *path = in_folder("picture.png"), *why = NULL;
-	assert_true(image_write(film, &e, path, &why));
+	assert_true(image_write(film, &e, path, NULL, NULL, &why));
 	struct image *image = image_read(path, &why);
 	assert_non_null(image);
 	assert_int_equal(unlink(path), 0);
@@ -282,7 +291,7 @@ static void same_picture_same_bytes(void **state)
 	size_t sizes[2];
 	for (int i = 0; i < 2; i++) {
 		const char *path = in_folder("same.png"), *why = NULL;
-		assert_true(image_write(film, &e, path, &why));
+		assert_true(image_write(film, &e, path, NULL, NULL, &why));
 		FILE *file = fopen(path, "rb");
 		assert_non_null(file);
 		bytes[i] = memory_alloc(65536, 1);
@@ -307,14 +316,14 @@ static void failure_leaves_nothing(void **state)
 	struct film *film = ramps(4, 4);
 	struct image_encoding e = encoding(LINEAR, SRGB);
 	const char *why = NULL;
-	assert_false(image_write(film, &e, in_folder("no/such/folder.png"), &why));
+	assert_false(image_write(film, &e, in_folder("no/such/folder.png"), NULL, NULL, &why));
 	assert_non_null(why);
 	why = NULL;
-	assert_false(image_write(film, &e, folder, &why));
+	assert_false(image_write(film, &e, folder, NULL, NULL, &why));
 	assert_string_equal(why, "it is a folder");
 	e.format = IMAGE_TGA;
 	e.grayscale = true;
-	assert_false(image_write(film, &e, in_folder("grey.tga"), &why));
+	assert_false(image_write(film, &e, in_folder("grey.tga"), NULL, NULL, &why));
 	assert_int_not_equal(access(in_folder("grey.tga"), F_OK), 0);
 	film_destroy(film);
 }
@@ -326,7 +335,7 @@ static void damaged_files_are_refused(void **state)
 	struct film *film = ramps(40, 40);
 	const struct image_encoding e = encoding(LINEAR, SRGB);
 	const char *path = in_folder("damaged.png"), *why = NULL;
-	assert_true(image_write(film, &e, path, &why));
+	assert_true(image_write(film, &e, path, NULL, NULL, &why));
 	film_destroy(film);
 	struct stat s;
 	assert_int_equal(stat(path, &s), 0);
@@ -357,10 +366,10 @@ static void differences_are_measured(void **state)
 	int messages = 0;
 	snprintf(a, sizeof a, "%s", in_folder("a.png"));
 	snprintf(b, sizeof b, "%s", in_folder("b.png"));
-	assert_true(image_write(film, &e, a, &why));
+	assert_true(image_write(film, &e, a, NULL, NULL, &why));
 	film->pixels[3 * 20 + 7].g = 138 / 255.f; /* 10 more than its 128 */
 	film->pixels[0].r = 130 / 255.f;
-	assert_true(image_write(film, &e, b, &why));
+	assert_true(image_write(film, &e, b, NULL, NULL, &why));
 	film_destroy(film);
 	struct lambert_difference d;
 	assert_true(lambert_compare(a, a, NULL, &d, take_message, &messages));

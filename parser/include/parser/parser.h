@@ -10,6 +10,7 @@
 #include "parser/ast.h"
 
 #include <limits.h>
+#include <stdatomic.h>
 #include <stdio.h>
 
 /* An identifier made before the first token, as the option Declare=NAME=VALUE does. */
@@ -60,6 +61,11 @@ struct parse_options {
 	FILE *debug_stream;	/* where #debug, #warning … text goes, NULL: nowhere */
 	void (*text)(void *user, enum keyword stream, const char *line); /* K_DEBUG, K_RENDER, … */
 	void *text_user;
+	/* When somebody has set `asked`, the next directive clears it and tells where it stands. NULL:
+	 * nobody asks. */
+	atomic_bool *asked;
+	void (*reached)(void *user, span where);
+	void *reached_user;
 	struct render_hooks hooks;
 	/* For large scenes: whenever the statements of the top level have come to some size they are
 	 * handed over, in order, and forgotten; only the last of them are in the ast. They live in

@@ -36,10 +36,14 @@ struct image_encoding {
 	int quality; /* JPEG, 2 to 100; 0: 85 */
 };
 
-/* Writes the film to `path`; "-" is standard output. On failure *why is set to a message (static or
- * in the thread's buffer) and nothing is left behind. */
-bool image_write(
-	const struct film *, const struct image_encoding *, const char *path, const char **why);
+/* Whether a picture of this size could be written to `path`; "-" is standard output. Changes nothing.
+ * On failure *why is set to a message (in the thread's buffer). */
+bool image_check(unsigned width, unsigned height, const struct image_encoding *, const char *path,
+	const char **why);
+/* Writes the film. On failure *why is set as above, and nothing is left behind. `progress` (or NULL)
+ * is called before each row; false: the writing is stopped, and *why is NULL. */
+bool image_write(const struct film *, const struct image_encoding *, const char *path,
+	bool (*progress)(void *user, double share_done), void *user, const char **why);
 
 /* A picture read from a file, as stored: 8 or 16 bit samples scaled to 0…1, or floats. */
 struct image {

@@ -16,12 +16,15 @@ extern "C" {
 
 enum { REASON_SIZE = 256 };
 
-/* An encoded picture on its way to a file. */
+/* An encoded picture on its way to a file; it is never in memory as a whole. */
 struct raster {
 	unsigned width, height, channels;
 	int sample_bits; /* 8, 16, or 32 for floats */
 	int bits;	 /* that mean something */
-	const void *samples;
+	bool (*row)(void *source, unsigned y,
+		void *samples); /* asked for in order from 0; false: stop */
+	void *source;
+	size_t row_bytes;
 	float gamma; /* of the file; 2.2 for sRGB */
 	bool is_srgb;
 	bool is_premultiplied;
