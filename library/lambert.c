@@ -241,10 +241,21 @@ static void print_tree(void *user)
 	reading_end(r);
 }
 
+/* Of which only what is used takes memory. */
+#define DEEP_STACK ((size_t)512 << 20)
+
 /* A scene may nest as deep as the parser allows, and what reads it recurses as deep. */
 static void with_deep_stack(void (*run)(void *), struct reading *r)
 {
-	parallel_with_stack((size_t)512 << 20, run, r);
+	parallel_with_stack(DEEP_STACK, run, r);
+}
+
+/* Rays, and functions that call functions, recurse as deep as they are told. */
+static void prepare(void *user)
+{
+	struct reading *r = user;
+	scene_commit(r->scene, thread_count(r->options->threads));
+	first_calls_make(r->scene, r->options->width, r->options->height);
 }
 
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *o)
@@ -254,8 +265,7 @@ lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_o
 	if (!r.scene)
 		return NULL;
 	const double start = cpu_seconds();
-	scene_commit(r.scene, thread_count(o->threads));
-	first_calls_make(r.scene, o->width, o->height);
+	with_deep_stack(prepare, &r);
 	r.stats.build_cpu = cpu_seconds() - start;
 	add_tree_statistics(&r.stats, r.scene);
 	lambert_scene *handle = memory_alloc(1, sizeof *handle);
@@ -335,25 +345,39 @@ static struct exposure exposure_for(const lambert_scene *s, const struct lambert
 	};
 }
 
+struct exposing {
+	struct film *film;
+	const struct scene *scene;
+	const struct exposure *exposure;
+	struct trace_stats stats;
+	bool complete;
+};
+
+static void expose(void *user)
+{
+	struct exposing *x = user;
+	x->complete = film_expose(x->film, x->scene, x->exposure, &x->stats);
+}
+
 lambert_image *lambert_render(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	const double cpu = cpu_seconds(), wall = wall_seconds();
 	struct film *film = film_create(s->width, s->height);
 	const struct exposure e = exposure_for(s, o);
-	struct trace_stats stats = { 0 };
-	const bool complete = film_expose(film, s->scene, &e, &stats);
+	struct exposing x = { film, s->scene, &e, .complete = false };
+	parallel_with_stack(DEEP_STACK, expose, &x); /* the caller's may be small */
 	if (o->stats)
 		*o->stats = (struct lambert_render_stats){
-			.camera_rays = stats.camera_rays,
-			.reflected_rays = stats.reflected_rays,
-			.refracted_rays = stats.refracted_rays,
-			.transmitted_rays = stats.transmitted_rays,
-			.shadow_rays = stats.shadow_rays,
-			.max_level = stats.max_level,
+			.camera_rays = x.stats.camera_rays,
+			.reflected_rays = x.stats.reflected_rays,
+			.refracted_rays = x.stats.refracted_rays,
+			.transmitted_rays = x.stats.transmitted_rays,
+			.shadow_rays = x.stats.shadow_rays,
+			.max_level = x.stats.max_level,
 			.trace_cpu = cpu_seconds() - cpu,
 			.trace_wall = wall_seconds() - wall,
 		};
-	if (!complete) {
+	if (!x.complete) {
 		film_destroy(film);
 		return NULL;
 	}
