@@ -13,7 +13,6 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Smallest distance that trace() reports. */
 #define TRACE_MIN 1e-6
@@ -105,8 +104,8 @@ static struct probe *probe_create(struct hooks *h, const struct node *object)
 	lowering_forget(&h->lowering);
 	p->count = h->scene->object_count - first;
 	p->objects = memory_alloc(p->count, sizeof *p->objects);
-	memcpy(p->objects, h->scene->objects + first, p->count * sizeof *p->objects);
 	for (size_t i = 0; i < p->count; i++) {
+		p->objects[i] = h->scene->objects[first + i];
 		p->objects[i]->rank = (uint32_t)i;
 		p->objects[i]->visible_to |= RAY_CAMERA;
 	}

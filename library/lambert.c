@@ -269,11 +269,14 @@ static void print_tree(void *user)
 	reading_end(r);
 }
 
+/* Of which only what is used takes memory. */
+#define DEEP_STACK ((size_t)512 << 20)
+
 /* A scene may nest as deep as the parser allows, and what reads it recurses as deep. */
 static void with_deep_stack(void (*run)(void *), struct reading *r)
 {
 	r->start = wall_seconds();
-	parallel_with_stack((size_t)512 << 20, run, r->options->progress ? ask_place : NULL, r);
+	parallel_with_stack(DEEP_STACK, run, r->options->progress ? ask_place : NULL, r);
 }
 
 static void prepare(struct reading *r)

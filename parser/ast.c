@@ -123,7 +123,7 @@ struct node *node_block(
 	return node;
 }
 
-static void count_levels(struct parser *p, const struct node *declared, span where)
+void reference_count_levels(struct parser *p, const void *declared, span where)
 {
 	const uintptr_t levels = 1 + (uintptr_t)pointer_map_find(&p->reference_levels, declared);
 	if (levels > REFERENCE_LEVELS)
@@ -145,7 +145,7 @@ static void count_parts(struct parser *p, const struct node *declared, span wher
 
 struct node *node_reference(struct parser *p, struct reference reference, span where)
 {
-	count_levels(p, reference.node, where);
+	reference_count_levels(p, reference.node, where);
 	count_parts(p, reference.node, where);
 	struct node *node = node_new(p, K_REFERENCE, where, where);
 	node->ref = reference.node;

@@ -158,6 +158,8 @@ struct node *node_function(
 	struct parser *, enum keyword, span whole, span word, const struct function *, span);
 struct node *node_block(struct parser *, enum keyword, span whole, span word, struct node_list);
 struct node *node_reference(struct parser *, struct reference, span);
+/* A declared value is used here, which uses others in turn: not too deeply. */
+void reference_count_levels(struct parser *, const void *declared, span);
 /* A block that holds nothing but an identifier. */
 struct node *node_wrap(
 	struct parser *, enum keyword, span whole, span word, struct reference, span);

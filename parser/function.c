@@ -354,6 +354,7 @@ const struct expr *expr_call(struct parser *p, struct callee callee, const struc
 	struct expr *e = make(p, EXPR_FUNCTION, where);
 	arguments_fit(p, callee.name, list->count, function->parameter_count,
 		function->parameter_count, where);
+	reference_count_levels(p, function, where);
 	e->function = function;
 	e->component = (uint8_t)member_index(component);
 	if (component != K_NONE && e->component < 5 && e->component >= function_terms(function))

@@ -93,6 +93,8 @@ static void remember_references(struct parser *p, const struct value *value)
 {
 	if (p->levels_read == 0)
 		return;
+	if (value->kind == VALUE_FUNCTION)
+		pointer_map_add(&p->reference_levels, value->function, (void *)p->levels_read);
 	if (value->kind == VALUE_NODE && !pointer_map_find(&p->reference_levels, value->node)) {
 		pointer_map_add(&p->reference_levels, value->node, (void *)p->levels_read);
 		pointer_map_add(&p->reference_parts, value->node, (void *)p->parts_read);

@@ -15,7 +15,7 @@
 
 static int generator_of(double number, const struct function_world *w)
 {
-	const int g = (int)number & 3;
+	const int g = whole(number) & 3;
 	return g ? g : w->noise_generator;
 }
 
@@ -43,8 +43,8 @@ double f_noise_generator(
 
 double f_hetero_mf(double x, double y, double z, const double *p, const struct function_world *w)
 {
-	const double lacunarity = p[1], octaves = p[2], offset = p[3];
-	const int generator = generator_of(p[5], w), repeats = (int)p[4];
+	const double lacunarity = p[1], octaves = repeats_of(p[2]), offset = p[3];
+	const int generator = generator_of(p[5], w), repeats = whole(repeats_of(p[4]));
 	vec3 q = vec(x, y, z);
 	double s = signed_noise(q, generator) + offset;
 	q = vec_scale(q, lacunarity);
@@ -59,7 +59,7 @@ double f_hetero_mf(double x, double y, double z, const double *p, const struct f
 		q = vec_scale(q, lacunarity);
 		weight *= step;
 	}
-	const double rest = octaves - (int)octaves;
+	const double rest = octaves - whole(octaves);
 	if (rest != 0)
 		s += rest * (signed_noise(q, generator) + offset) * weight * s;
 	return s;
@@ -80,14 +80,15 @@ double f_ridge(double x, double y, double z, const double *p, const struct funct
 	const vec3 q = vec(x, y, z);
 	const double offset = p[3];
 	const struct ridge ridge = { p[4], 1 / fmax(p[4], 1 - p[4]), generator_of(p[5], w) };
+	const double octaves = repeats_of(p[1]);
 	double value = ridge_value(&ridge, q) - offset, total = 1, l = p[0], o = p[2];
-	for (int i = 2; i <= (int)p[1]; i++) {
+	for (int i = 2; i <= whole(octaves); i++) {
 		value += o * (ridge_value(&ridge, vec_scale(q, l)) - offset);
 		total += o;
 		l *= p[0];
 		o *= p[2];
 	}
-	const double rest = p[1] - (int)p[1];
+	const double rest = octaves - whole(octaves);
 	if (rest != 0) {
 		value += o * (ridge_value(&ridge, vec_scale(q, l)) - offset) * rest;
 		total += o * rest;
@@ -108,7 +109,7 @@ static double ridged_weight(const struct ridged_table *t, int octave, double fre
 
 double f_ridged_mf(double x, double y, double z, const double *p, const struct function_world *w)
 {
-	const double lacunarity = p[1], octaves = p[2], offset = p[3], gain = p[4];
+	const double lacunarity = p[1], octaves = repeats_of(p[2]), offset = p[3], gain = p[4];
 	const int generator = generator_of(p[5], w);
 	struct ridged_table own;
 	const struct ridged_table *table = w->ridged;

@@ -299,9 +299,10 @@ double f_polytubes(double x, double y, double z, const double *p, const struct f
 {
 	UNUSED(w);
 	const double r = p[1] + p[2] * y + p[3] * y * y + p[4] * y * y * y + p[5] * y * y * y * y;
+	const double tubes = repeats_of(p[0]);
 	double nearest = -10000;
-	for (int i = 0; i < (int)p[0]; i++) {
-		const double angle = 2 * M_PI * i / p[0];
+	for (int i = 0; i < whole(tubes); i++) {
+		const double angle = 2 * M_PI * i / tubes;
 		const double d = sqrt(square(x - r * elementary_sin(angle)) +
 				      square(z - r * elementary_cos(angle)));
 		nearest = fmax(nearest, -d);

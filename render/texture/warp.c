@@ -42,6 +42,12 @@ vec3 warp_repeat(const void *self, vec3 p)
 	return vec_mad(vec(q[0], q[1], q[2]), (double)cell, w->offset);
 }
 
+/* Cells farther away are like the one in the middle. */
+static int64_t cell_index(double whole)
+{
+	return fabs(whole) < 1e15 ? (int64_t)whole : 0;
+}
+
 /* The centre of the cell p is in, moved at random when the holes are turbulent. */
 static vec3 hole_centre(const struct warp_black_hole *w, vec3 p)
 {
@@ -53,7 +59,7 @@ static vec3 hole_centre(const struct warp_black_hole *w, vec3 p)
 	vec3 centre = vec_add(w->centre, vec_mul(n, w->repeat));
 	if (w->turbulent) {
 		const double *u = cell_uniforms +
-				  cell_hash(floor_index(n.x), floor_index(n.y), floor_index(n.z));
+				  cell_hash(cell_index(n.x), cell_index(n.y), cell_index(n.z));
 		centre = vec_add(centre, vec_mul(vec(u[0], u[1], u[2]), w->turbulence));
 	}
 	return centre;

@@ -7,7 +7,21 @@
 #ifndef LAMBERT_FUNCTION_INTERNAL_H
 #define LAMBERT_FUNCTION_INTERNAL_H
 
+#include <limits.h>
+
 struct ridged_table;
+
+/* Octaves, tubes and the like: at most 10000 are worth waiting for. */
+static inline double repeats_of(double parameter)
+{
+	return parameter > 10000 ? 10000 : parameter;
+}
+
+/* A parameter without its fraction; what no int holds is the lowest one, as processors have it. */
+static inline int whole(double parameter)
+{
+	return parameter > INT_MIN && parameter < INT_MAX ? (int)parameter : INT_MIN;
+}
 
 /* What a built-in may look at besides its arguments. */
 struct function_world {
