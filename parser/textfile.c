@@ -116,6 +116,7 @@ bool file_open(struct parser *p, span where)
 		return false;
 	f->previous = p->expand->files;
 	p->expand->files = f;
+	symbol = symbol_find(s, name); /* again: the expression may have changed what the name is */
 	if (!symbol)
 		symbol = symbol_create(s, name, SYMBOL_GLOBAL);
 	*symbol->slot = (struct value){ .kind = VALUE_FILE, .file = f };
@@ -431,8 +432,17 @@ static bool starts_colour(int token)
 	       token == KW_SRGBT || token == KW_SRGBFT;
 }
 
-static bool write_item(
-	struct parser *p, FILE *out, int token, const struct format *format, span where)
+/* Whether the handle still stands for that file, which a macro in the item may have closed. */
+static bool is_open(struct parser *p, const struct symbol *handle, const FILE *out, span where)
+{
+	if (handle->slot->kind == VALUE_FILE && handle->slot->file->out == out)
+		return true;
+	parser_error(p, where, "the file was closed while it was being written");
+	return false;
+}
+
+static bool write_item(struct parser *p, const struct symbol *handle, FILE *out, int token,
+	const struct format *format, span where)
 {
 	if (starts_colour(token)) {
 		parser_error(p, where,
@@ -441,13 +451,13 @@ static bool write_item(
 	}
 	if (starts_string(token)) {
 		const char *text;
-		if (!parse_string(p, &text, false))
+		if (!parse_string(p, &text, false) || !is_open(p, handle, out, where))
 			return false;
 		fputs(string_bytes(p, text), out);
 		return true;
 	}
 	struct number number;
-	if (!parse_number_any(p, &number))
+	if (!parse_number_any(p, &number) || !is_open(p, handle, out, where))
 		return false;
 	write_number(out, format, &number);
 	return true;
@@ -478,11 +488,7 @@ bool file_write(struct parser *p, span where)
 			continue;
 		}
 		expand_unread(p, token, &v, at);
-		if (handle->slot->kind != VALUE_FILE || handle->slot->file->out != out) {
-			parser_error(p, at, "the file was closed while it was being written");
-			return false;
-		}
-		if (!write_item(p, out, token, format, at))
+		if (!write_item(p, handle, out, token, format, at))
 			return false;
 	}
 }
