@@ -106,6 +106,7 @@ void held_collect(struct parser *p)
 			reach(&symbol->value, texts);
 	arena_destroy(h->texts);
 	h->texts = texts;
+	memset(p->walks, 0, sizeof p->walks);
 	sweep(h);
 	h->due = 2 * (arena_used(texts) + h->array_bytes) + LEAST;
 }

@@ -70,6 +70,7 @@ struct gate {
 	unsigned delivered;   /* tokens */
 	int first;	      /* the first token … */
 	struct value *slot;   /* … and, for an identifier, where its value is */
+	const struct symbol *symbol; /* whose value that is */
 	unsigned table;	      /* and in which symbol table */
 };
 
@@ -88,6 +89,7 @@ struct macro {
 struct argument {
 	struct value value;
 	struct value *slot; /* stands for this variable of the caller; NULL: by value */
+	const struct symbol *symbol; /* that variable */
 };
 
 struct unread {
@@ -233,6 +235,9 @@ char *string_put_code(char *out, uint32_t code);
 
 /* Text of a string literal: escapes processed, charset applied. */
 const char *string_literal(struct parser *, const char *text, size_t length, span, bool escapes);
+
+/* The same if that needs neither escapes nor a charset; NULL: it does. */
+const char *string_plain(struct parser *, const char *text, size_t length);
 
 /* A string as one byte per code, for files and messages: codes above 127 become spaces, below version
  * 3.5 their lower byte. */

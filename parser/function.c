@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-enum { MAX_FUNCTION_PARAMETERS = 56, INTERNAL_FUNCTIONS = 79 };
+enum { INTERNAL_FUNCTIONS = 79 };
 
 /* The function being read. */
 struct function_scope {
@@ -66,9 +66,9 @@ void function_begin(struct parser *p, size_t start, bool listed)
 	s->listed = listed;
 	for (size_t i = 0; i < count; i++)
 		add_name(p, s, listed ? g->args[start + i].string : xyz[i], (unsigned)i);
-	if (count > MAX_FUNCTION_PARAMETERS)
+	if (count > FUNCTION_PARAMETERS_MAX)
 		parser_error(p, g->args[start].span, "a function has at most %d parameters",
-			MAX_FUNCTION_PARAMETERS);
+			FUNCTION_PARAMETERS_MAX);
 	g->arg_count = start;
 	s->parameter_count = s->variable_count = (unsigned)count;
 	g->scope = s;

@@ -39,6 +39,20 @@ struct held {
 	size_t due; /* bytes of both that lead to the next collection */
 };
 
+enum {
+	TEXT_WALKS = 4,
+	TEXT_WALK_LEAST = 64, /* bytes; a walk through a shorter string is not worth keeping */
+};
+
+/* Where substr was last in a string: the next one mostly asks for what follows, and going there from
+ * the beginning each time would make a loop over a string quadratic. */
+struct text_walk {
+	const char *text; /* NULL: of none */
+	const char *at;
+	size_t character; /* number of the one at `at`, from 0 */
+	size_t length;	  /* of the text, in characters */
+};
+
 struct expand;	/* the directive layer's own state: expand.h */
 struct grammar; /* the grammar's own state: build.h */
 
@@ -84,6 +98,10 @@ struct parser {
 	uint32_t *seeds;
 	size_t seed_count;
 	size_t joined_bytes; /* of all strings that concat made */
+	struct text_walk walks[TEXT_WALKS];
+	unsigned walk_count; /* begun so far: the oldest makes room */
+	/* User functions that were called while the text was read: calling them needs no message. */
+	struct pointer_map called;
 
 	struct grammar *grammar;
 

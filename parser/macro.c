@@ -95,6 +95,7 @@ static bool read_argument(struct parser *p, struct argument *a)
 	gate_open(p, &gate, true);
 	const bool ok = parse_declared(p, &a->value) && !p->failed;
 	a->slot = ok && is_reference(p, &gate) ? gate.slot : NULL;
+	a->symbol = gate.symbol;
 	if (ok && !a->slot)
 		a->value = value_copy(p, &a->value);
 	gate_close(p);
@@ -153,6 +154,13 @@ static bool read_arguments(struct parser *p, const struct macro *m, struct argum
 	return false;
 }
 
+/* A variable may be gone before the call: its macro ended among the arguments, or one of them undefined
+ * it. Its value stays. */
+static bool is_by_reference(const struct argument *a)
+{
+	return a->slot && a->symbol->table;
+}
+
 static void bind_parameters(
 	struct parser *p, const struct macro *m, const struct argument *arguments)
 {
@@ -160,7 +168,7 @@ static void bind_parameters(
 	for (unsigned i = 0; i < m->parameter_count; i++) {
 		struct symbol *symbol = symbol_create(s, m->parameters[i], s->table);
 		symbol->value = arguments[i].value;
-		if (arguments[i].slot)
+		if (is_by_reference(&arguments[i]))
 			symbol->slot = arguments[i].slot;
 	}
 }
