@@ -46,8 +46,7 @@ static bool read_any(struct quick *q, const char **text)
 	switch (quick_next(q)) {
 	case RAW_STRING:
 		q->at++;
-		*text = string_plain(
-			q->p, q->frame->source->bytes + raw->offset + 1, raw->payload);
+		*text = string_plain(q->p, q->frame->source->bytes + raw->offset + 1, raw->payload);
 		return *text != NULL;
 	case RAW_NAME:
 		return read_variable(q, text);
