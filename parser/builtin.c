@@ -412,8 +412,8 @@ struct number builtin_file_exists(struct parser *p, const char *name, span where
 
 /* -- User-defined functions --------------------------------------------------------------- */
 
-static bool call(struct parser *p, const struct function *f, const struct arg *args, double result[5],
-	unsigned *terms)
+static bool call(struct parser *p, const struct function *f, const struct arg *args,
+	double result[5], unsigned *terms)
 {
 	const struct render_hooks *hooks = &p->options->hooks;
 	double arguments[FUNCTION_PARAMETERS_MAX];

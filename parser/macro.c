@@ -181,6 +181,7 @@ static uint32_t site_of_call(struct parser *p, struct macro *m, span call)
 		last.site != call.site) {
 		m->last_site = diag_add_site(p->diag, call, m->context);
 		m->last_call = call;
+		p->expand->site_count++;
 	}
 	return m->last_site;
 }
@@ -218,7 +219,7 @@ static bool is_within_limit(struct parser *p, span call)
 {
 	const double most = p->options->max_loop_tokens;
 	if (most == 0 || (double)++p->expand->work <= most)
-		return true;
+		return growth_permits(p, 0, call);
 	parser_stop(p, call, "the macros of this scene do not seem to end (--loop-limit)");
 	return false;
 }

@@ -140,6 +140,8 @@ static bool has_room(struct parser *p, size_t length, span where)
 	if (length > STRING_BYTES)
 		parser_stop(
 			p, where, "a string of %zu bytes: %d are the limit", length, STRING_BYTES);
+	else if (!growth_permits(p, (double)length, where))
+		return false;
 	else if (p->joined_bytes > JOINED_BYTES)
 		parser_stop(p, where, "the strings made by concat take more than %zu bytes",
 			(size_t)JOINED_BYTES);
