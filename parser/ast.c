@@ -247,6 +247,7 @@ struct node_list scene_add(
 	if (!o->statements || ahead || p->keeps_tree || arena_used(p->tree) < PASSING_BYTES)
 		return list;
 	o->statements(o->statements_user, list.first);
+	p->passed_bytes += arena_used(p->tree);
 	arena_reset(p->tree);
 	return list_none();
 }

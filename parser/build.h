@@ -20,6 +20,8 @@ struct number_value {
 	enum keyword keyword;  /* a constant like true, else K_NONE */
 };
 
+enum { FUNCTION_PARAMETERS_MAX = 56 };
+
 /* A string, and how it reads where a file name is expected (backslashes kept). */
 struct text_value {
 	const char *text, *raw;
@@ -300,7 +302,7 @@ const char *text_chr(struct parser *, double, span);
 const char *text_substr(struct parser *, const char *, double first, double count, span);
 const char *text_case(struct parser *, const char *, bool upper, span);
 const char *text_datetime(struct parser *, double, const char *format, span);
-double text_length(const char *);
+double text_length(struct parser *, const char *);
 double text_asc(const char *);
 double text_compare(const char *, const char *);
 struct number text_relation(int op, const char *, const char *);

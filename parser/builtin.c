@@ -414,25 +414,32 @@ struct number builtin_file_exists(struct parser *p, const char *name, span where
 
 /* -- User-defined functions --------------------------------------------------------------- */
 
+static bool call(struct parser *p, const struct function *f, const struct arg *args,
+	double result[5], unsigned *terms)
+{
+	const struct render_hooks *hooks = &p->options->hooks;
+	double arguments[FUNCTION_PARAMETERS_MAX];
+	for (unsigned i = 0; i < f->parameter_count; i++)
+		arguments[i] = number_to_float(p, args[i].number, args[i].span);
+	if (p->failed || (p->trial && p->refused))
+		return true; /* a faulty argument, which is what there is to say */
+	if (!hooks->call || !hooks->call(hooks->user, f, arguments, result, terms))
+		return false;
+	if (!pointer_map_find(&p->called, f))
+		pointer_map_add(&p->called, f, p);
+	return true;
+}
+
 struct number builtin_call(struct parser *p, struct callee callee, size_t start, span where)
 {
-	const struct function *function = callee.function;
-	const struct render_hooks *hooks = &p->options->hooks;
+	const struct function *f = callee.function;
 	struct grammar *g = p->grammar;
-	const size_t count = g->arg_count - start;
 	double result[5] = { 0 };
 	unsigned terms = 1;
-	if (arguments_fit(p, callee.name, count, function->parameter_count,
-		    function->parameter_count, where)) {
-		double *arguments = ARENA_ARRAY(p->arena, count + 1, double);
-		for (size_t i = 0; i < count; i++)
-			arguments[i] = number_to_float(
-				p, g->args[start + i].number, g->args[start + i].span);
-		if (!p->failed && (!hooks->call || !hooks->call(hooks->user, function, arguments,
-							   result, &terms)))
-			report_unanswered(
-				p, where, "calling this function while the scene is read");
-	}
+	if (arguments_fit(p, callee.name, g->arg_count - start, f->parameter_count,
+		    f->parameter_count, where) &&
+		!call(p, f, g->args + start, result, &terms))
+		report_unanswered(p, where, "calling this function while the scene is read");
 	g->arg_count = start;
 	struct number out = { .terms = (uint8_t)terms };
 	memcpy(out.v, result, sizeof out.v);

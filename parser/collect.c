@@ -28,6 +28,8 @@ static size_t array_bytes(const struct array *a)
 
 void array_keep(struct parser *p, struct array *a)
 {
+	if (!growth_permits(p, (double)array_bytes(a), NO_SPAN))
+		a->count = 1;
 	a->elements = memory_zeroed(a->count, sizeof *a->elements);
 	a->next = p->held.arrays;
 	p->held.arrays = a;
@@ -42,7 +44,7 @@ struct value value_copy(struct parser *p, const struct value *v)
 	copy.array = memory_alloc(1, sizeof *copy.array);
 	*copy.array = *v->array;
 	array_keep(p, copy.array);
-	for (size_t i = 0; i < v->array->count; i++)
+	for (size_t i = 0; i < v->array->count && !p->failed; i++)
 		copy.array->elements[i] = value_copy(p, &v->array->elements[i]);
 	return copy;
 }
@@ -106,6 +108,7 @@ void held_collect(struct parser *p)
 			reach(&symbol->value, texts);
 	arena_destroy(h->texts);
 	h->texts = texts;
+	memset(p->walks, 0, sizeof p->walks);
 	sweep(h);
 	h->due = 2 * (arena_used(texts) + h->array_bytes) + LEAST;
 }

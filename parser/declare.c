@@ -34,12 +34,21 @@ static void read_deprecation(struct parser *p, struct mark *mark)
 	mark->text = text ? arena_string(p->arena, text, strlen(text)) : NULL;
 }
 
+/* Whether a subscript follows in this text: looking beyond the end of a macro would leave it, and its
+ * symbols, in the middle of a directive that is about one of them. */
+static bool is_subscripted(struct parser *p)
+{
+	const struct frame *f = top_frame(p->expand);
+	const bool is_over = f->is_macro && f->position == f->end;
+	const struct raw_token *raw = is_over ? NULL : raw_peek(p);
+	return raw && raw->kind == '[';
+}
+
 /* Goes down to an element. A #local cannot reach an element of an array of an outer table, unless
  * that has no elements yet: the value is read and lost. */
 static bool find_element(struct parser *p, bool local, struct target *t)
 {
-	const struct raw_token *raw;
-	while (t->slot && t->slot->kind == VALUE_ARRAY && (raw = raw_peek(p)) && raw->kind == '[') {
+	while (t->slot && t->slot->kind == VALUE_ARRAY && is_subscripted(p)) {
 		t->array = t->slot->array;
 		t->slot = identifier_element(p, t->slot, t->symbol->text, &t->where);
 		if (!t->slot)
@@ -58,8 +67,7 @@ static bool find_target(struct parser *p, bool local, struct target *t)
 	if (!raw_name(p, "an identifier to declare", &name, &t->where))
 		return false;
 	t->symbol = symbol_find(s, name);
-	const struct raw_token *raw = raw_peek(p);
-	const bool element = raw && raw->kind == '[';
+	const bool element = is_subscripted(p);
 	if (element && name_is_lost(p, name)) {
 		parser_error_undeclared(p, t->where, s->names->list[name].text, is_declared, NULL);
 		return false;

@@ -61,16 +61,17 @@ struct block {
  * follows a complete operand is held: it must not happen before the expression is used. */
 struct gate {
 	struct gate *outer;
-	bool hold;	      /* held behind operands at depth 0; else always live */
-	bool operand;	      /* a complete operand precedes */
-	bool dot;	      /* a period precedes */
-	unsigned depth;	      /* open brackets */
-	unsigned parentheses; /* of them: ( */
-	uint64_t angles;      /* one bit per bracket, innermost lowest: it is '<' */
-	unsigned delivered;   /* tokens */
-	int first;	      /* the first token … */
-	struct value *slot;   /* … and, for an identifier, where its value is */
-	unsigned table;	      /* and in which symbol table */
+	bool hold;		     /* held behind operands at depth 0; else always live */
+	bool operand;		     /* a complete operand precedes */
+	bool dot;		     /* a period precedes */
+	unsigned depth;		     /* open brackets */
+	unsigned parentheses;	     /* of them: ( */
+	uint64_t angles;	     /* one bit per bracket, innermost lowest: it is '<' */
+	unsigned delivered;	     /* tokens */
+	int first;		     /* the first token … */
+	struct value *slot;	     /* … and, for an identifier, where its value is */
+	const struct symbol *symbol; /* whose value that is */
+	unsigned table;		     /* and in which symbol table */
 };
 
 struct macro {
@@ -87,7 +88,8 @@ struct macro {
 /* What a macro is called with. */
 struct argument {
 	struct value value;
-	struct value *slot; /* stands for this variable of the caller; NULL: by value */
+	struct value *slot;	     /* stands for this variable of the caller; NULL: by value */
+	const struct symbol *symbol; /* that variable */
 };
 
 struct unread {
@@ -130,7 +132,8 @@ struct expand {
 	unsigned nesting; /* of fetches within fetches */
 	struct statement_start statement;
 	unsigned recoveries;
-	size_t work; /* raw tokens read */
+	size_t work;	   /* raw tokens read */
+	size_t site_count; /* of calls of macros */
 	struct text_line debug_line;
 	bool has_written;	     /* the scene wrote a file, which it may include later */
 	struct scene_file *files;    /* all opened, newest first */
@@ -233,6 +236,9 @@ char *string_put_code(char *out, uint32_t code);
 
 /* Text of a string literal: escapes processed, charset applied. */
 const char *string_literal(struct parser *, const char *text, size_t length, span, bool escapes);
+
+/* The same if that needs neither escapes nor a charset; NULL: it does. */
+const char *string_plain(struct parser *, const char *text, size_t length);
 
 /* A string as one byte per code, for files and messages: codes above 127 become spaces, below version
  * 3.5 their lower byte. */

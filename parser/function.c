@@ -13,7 +13,7 @@
 
 #include <string.h>
 
-enum { MAX_FUNCTION_PARAMETERS = 56, INTERNAL_FUNCTIONS = 79 };
+enum { INTERNAL_FUNCTIONS = 79, FUNCTION_CALLS_MAX = 1000000 };
 
 /* The function being read. */
 struct function_scope {
@@ -21,6 +21,7 @@ struct function_scope {
 	const char **names; /* parameters, then loop variables in scope */
 	unsigned parameter_count, name_count, capacity, variable_count;
 	unsigned *indices; /* variable of each name */
+	size_t calls;
 	bool listed;
 };
 
@@ -66,9 +67,9 @@ void function_begin(struct parser *p, size_t start, bool listed)
 	s->listed = listed;
 	for (size_t i = 0; i < count; i++)
 		add_name(p, s, listed ? g->args[start + i].string : xyz[i], (unsigned)i);
-	if (count > MAX_FUNCTION_PARAMETERS)
+	if (count > FUNCTION_PARAMETERS_MAX)
 		parser_error(p, g->args[start].span, "a function has at most %d parameters",
-			MAX_FUNCTION_PARAMETERS);
+			FUNCTION_PARAMETERS_MAX);
 	g->arg_count = start;
 	s->parameter_count = s->variable_count = (unsigned)count;
 	g->scope = s;
@@ -85,6 +86,9 @@ static struct function *close(struct parser *p, enum function_kind kind, span wh
 	f->span = where;
 	f->parameter_count = s->parameter_count;
 	f->variable_count = s->variable_count;
+	f->calls = s->calls;
+	if (s->outer)
+		s->outer->calls += s->calls;
 	if (s->listed && kind != FUNCTION_EXPRESSION && kind != FUNCTION_INTERNAL)
 		parser_error(p, where, "this kind of function takes no list of parameters");
 	return f;
@@ -332,6 +336,18 @@ const struct expr *expr_builtin(
 	return e;
 }
 
+/* A function made of two calls of one that is made alike, and so on, would never come to an end. */
+static void count_calls(struct parser *p, const struct function *called, span where)
+{
+	struct function_scope *s = p->grammar->scope;
+	s->calls += 1 + called->calls;
+	if (s->calls > FUNCTION_CALLS_MAX)
+		parser_error(p, where,
+			"a function calls others more than %d times here, counting their calls of "
+			"each other",
+			FUNCTION_CALLS_MAX);
+}
+
 /* Number of a component of a call; `hf` is one more than those of vectors. */
 static unsigned member_index(enum keyword word)
 {
@@ -360,6 +376,7 @@ const struct expr *expr_call(struct parser *p, struct callee callee, const struc
 	if (component != K_NONE && e->component < 5 && e->component >= function_terms(function))
 		parser_error(p, where, "the function has no component %s", keyword_name(component));
 	set_operands(p, e, list->items, list->count);
+	count_calls(p, function, where);
 	return e;
 }
 

@@ -49,6 +49,7 @@ void gate_note(struct gate *g, int token, const struct token_value *v)
 {
 	if (g->delivered++ == 0) {
 		g->first = token;
+		g->symbol = v->symbol;
 		g->slot = v->symbol ? v->symbol->slot : NULL;
 		g->table = v->symbol ? v->symbol->table : 0;
 	}

@@ -217,7 +217,7 @@ operand:
 	| KW_DEFINED '(' identifier ')' { $$ = number_float(1); }
 	| KW_DEFINED '(' T_UNDECLARED ')' { $$ = number_float(0); }
 	| KW_FILE_EXISTS '(' string ')' { $$ = builtin_file_exists(p, $3.text, @$); }
-	| KW_STRLEN '(' string ')' { $$ = number_float(text_length($3.text)); }
+	| KW_STRLEN '(' string ')' { $$ = number_float(text_length(p, $3.text)); }
 	| KW_ASC '(' string ')' { $$ = number_float(text_asc($3.text)); }
 	| KW_VAL '(' string ')' { $$ = number_float(text_val($3.text)); }
 	| KW_STRCMP '(' string oc string ')'

@@ -196,7 +196,8 @@ static bool read_defined(struct parser *p, bool *defined)
 		if (!slot)
 			return false;
 	}
-	*defined = slot && (slot->kind != VALUE_NONE || (symbol->entered && slot == symbol->slot));
+	*defined = slot && (slot->kind != VALUE_NONE ||
+				   ((symbol->entered || symbol->awaited) && slot == symbol->slot));
 	return true;
 }
 

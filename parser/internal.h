@@ -39,6 +39,20 @@ struct held {
 	size_t due; /* bytes of both that lead to the next collection */
 };
 
+enum {
+	TEXT_WALKS = 4,
+	TEXT_WALK_LEAST = 64, /* bytes; a walk through a shorter string is not worth keeping */
+};
+
+/* Where substr was last in a string: the next one mostly asks for what follows, and going there from
+ * the beginning each time would make a loop over a string quadratic. */
+struct text_walk {
+	const char *text; /* NULL: of none */
+	const char *at;
+	size_t character; /* number of the one at `at`, from 0 */
+	size_t length;	  /* of the text, in characters */
+};
+
 struct expand;	/* the directive layer's own state: expand.h */
 struct grammar; /* the grammar's own state: build.h */
 
@@ -84,6 +98,11 @@ struct parser {
 	uint32_t *seeds;
 	size_t seed_count;
 	size_t joined_bytes; /* of all strings that concat made */
+	size_t passed_bytes; /* of the trees handed over */
+	struct text_walk walks[TEXT_WALKS];
+	unsigned walk_count; /* begun so far: the oldest makes room */
+	/* User functions that were called while the text was read: calling them needs no message. */
+	struct pointer_map called;
 
 	struct grammar *grammar;
 
@@ -98,7 +117,9 @@ void held_init(struct held *);
 void held_release(struct held *);
 /* Between two statements: gives back what no variable holds any more, if there may be much of it. */
 void held_collect(struct parser *);
-/* Makes the elements of an array, unset, and owns it from now on. */
+/* growth.c: whether there may be so many bytes more; false after an error. */
+bool growth_permits(struct parser *, double more, span where);
+/* Makes the elements of an array, unset, and owns it from now on; after an error just one. */
 void array_keep(struct parser *, struct array *);
 /* A copy that later changes of the original do not reach: arrays are copied. */
 struct value value_copy(struct parser *, const struct value *);

@@ -12,9 +12,10 @@ static bool is_within_limit(struct parser *p)
 {
 	struct expand *x = p->expand;
 	const double most = p->options->max_loop_tokens;
+	const span opened = x->blocks[x->block_count - 1].opened;
 	if (most == 0 || (double)++x->work <= most)
-		return true;
-	parser_stop(p, x->blocks[x->block_count - 1].opened,
+		return growth_permits(p, 0, opened);
+	parser_stop(p, opened,
 		"this loop does not seem to end: the scene has come to %g tokens (--loop-limit "
 		"permits more)",
 		most);

@@ -95,6 +95,7 @@ static bool read_argument(struct parser *p, struct argument *a)
 	gate_open(p, &gate, true);
 	const bool ok = parse_declared(p, &a->value) && !p->failed;
 	a->slot = ok && is_reference(p, &gate) ? gate.slot : NULL;
+	a->symbol = gate.symbol;
 	if (ok && !a->slot)
 		a->value = value_copy(p, &a->value);
 	gate_close(p);
@@ -153,6 +154,13 @@ static bool read_arguments(struct parser *p, const struct macro *m, struct argum
 	return false;
 }
 
+/* A variable may be gone before the call: its macro ended among the arguments, or one of them undefined
+ * it. Its value stays. */
+static bool is_by_reference(const struct argument *a)
+{
+	return a->slot && a->symbol->table;
+}
+
 static void bind_parameters(
 	struct parser *p, const struct macro *m, const struct argument *arguments)
 {
@@ -160,7 +168,7 @@ static void bind_parameters(
 	for (unsigned i = 0; i < m->parameter_count; i++) {
 		struct symbol *symbol = symbol_create(s, m->parameters[i], s->table);
 		symbol->value = arguments[i].value;
-		if (arguments[i].slot)
+		if (is_by_reference(&arguments[i]))
 			symbol->slot = arguments[i].slot;
 	}
 }
@@ -173,6 +181,7 @@ static uint32_t site_of_call(struct parser *p, struct macro *m, span call)
 		last.site != call.site) {
 		m->last_site = diag_add_site(p->diag, call, m->context);
 		m->last_call = call;
+		p->expand->site_count++;
 	}
 	return m->last_site;
 }
@@ -210,7 +219,7 @@ static bool is_within_limit(struct parser *p, span call)
 {
 	const double most = p->options->max_loop_tokens;
 	if (most == 0 || (double)++p->expand->work <= most)
-		return true;
+		return growth_permits(p, 0, call);
 	parser_stop(p, call, "the macros of this scene do not seem to end (--loop-limit)");
 	return false;
 }

@@ -230,6 +230,7 @@ const struct ast *parse_scene(const char *path, const char *text, size_t size,
 	grammar_finish(&p);
 	held_release(&p.held);
 	free(p.seeds);
+	pointer_map_release(&p.called);
 	pointer_map_release(&p.reference_levels);
 	pointer_map_release(&p.reference_parts);
 	return ast;

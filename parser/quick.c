@@ -66,10 +66,35 @@ struct value *quick_read_variable(struct quick *q, const struct symbol **found)
 	return slot;
 }
 
+/* sum, sum … ) becomes arguments; false: gives up. */
+static bool read_sums(struct quick *q)
+{
+	struct number n;
+	do {
+		if (!quick_read_sum(q, &n))
+			return false;
+		args_push_number(q->p, n, NO_SPAN);
+	} while (quick_skip(q, ','));
+	return quick_skip(q, ')');
+}
+
+/* ( sum, sum … ) behind the name of a function that has been called before: the first call is the
+ * one that may need a message. */
+static bool read_call(struct quick *q, const struct value *v, const char *name, struct number *n)
+{
+	const size_t start = args_height(q->p);
+	if (!pointer_map_find(&q->p->called, v->function) || !quick_skip(q, '(') || !read_sums(q))
+		return false;
+	*n = builtin_call(q->p, (struct callee){ v->function, name }, start, NO_SPAN);
+	return true;
+}
+
 static bool read_identifier(struct quick *q, struct number *n)
 {
 	const struct symbol *symbol;
 	const struct value *slot = quick_read_variable(q, &symbol);
+	if (slot && slot->kind == VALUE_FUNCTION)
+		return read_call(q, slot, symbol->text, n);
 	if (!slot || (slot->kind != VALUE_NUMBER && slot->kind != VALUE_COLOUR))
 		return false;
 	*n = slot->number;
@@ -107,12 +132,7 @@ static bool read_list_function(struct quick *q, enum keyword word, struct number
 	if (!quick_skip(q, '('))
 		return false;
 	const size_t start = args_height(q->p);
-	do {
-		if (!quick_read_sum(q, n))
-			return false;
-		args_push_number(q->p, *n, NO_SPAN);
-	} while (quick_skip(q, ','));
-	if (!quick_skip(q, ')'))
+	if (!read_sums(q))
 		return false;
 	*n = builtin_list(q->p, word, start, NO_SPAN);
 	return true;
@@ -182,6 +202,10 @@ static bool read_word(struct quick *q, struct number *n)
 	case K_VROTATE:
 	case K_VAXIS_ROTATE:
 		return read_list_function(q, word, n);
+	case K_ASC:
+	case K_STRCMP:
+	case K_STRLEN:
+		return quick_read_text_function(q, word, n);
 	default:
 		return read_constant(q, word, n);
 	}
@@ -634,16 +658,17 @@ static bool may_be_referred_to(const struct value *v)
 }
 
 /* A variable or element alone is passed by reference. */
-static bool read_reference(struct quick *q, struct value **slot)
+static bool read_reference(struct quick *q, struct argument *a)
 {
 	const struct raw_token *first = q->at;
 	const unsigned draws = q->draw_count;
-	const struct symbol *symbol;
 	if (quick_next(q) != RAW_NAME)
 		return false;
-	*slot = quick_read_variable(q, &symbol);
-	if (may_be_referred_to(*slot) && at_close(q))
+	a->slot = quick_read_variable(q, &a->symbol);
+	if (may_be_referred_to(a->slot) && at_close(q)) {
+		a->value = *a->slot;
 		return true;
+	}
 	q->at = first;
 	undo_draws(q, draws);
 	return false;
@@ -652,8 +677,16 @@ static bool read_reference(struct quick *q, struct value **slot)
 static bool read_argument(struct quick *q, struct argument *a)
 {
 	struct number n;
-	if (read_reference(q, &a->slot))
+	const char *text;
+	if (read_reference(q, a))
 		return true;
+	if (quick_next(q) == RAW_STRING) {
+		a->slot = NULL;
+		if (!quick_read_text(q, &text) || !at_close(q))
+			return false;
+		a->value = value_string(text);
+		return true;
+	}
 	if (begins_with_t(q) || !quick_read_sum(q, &n) || !at_close(q))
 		return false;
 	a->slot = NULL;

@@ -56,7 +56,7 @@ enum quick_items {
 bool quick_item(struct parser *, unsigned items, struct node **, enum keyword *, span *word,
 	bool *modifier);
 
-/* -- between quick.c and quick_item.c -- */
+/* -- between the files of the short way -- */
 
 enum {
 	QUICK_DRAWS = 8,  /* calls of rand() in one attempt */
@@ -99,6 +99,9 @@ static inline void quick_go_up(struct quick *q)
 /* A sum; a full expression. */
 bool quick_read_sum(struct quick *, struct number *);
 bool quick_read_full(struct quick *, struct number *);
+/* quick_text.c: a string; asc, strcmp or strlen of strings. */
+bool quick_read_text(struct quick *, const char **);
+bool quick_read_text_function(struct quick *, enum keyword, struct number *);
 /* Whether the next token cannot continue a sum. */
 bool quick_ends_sum(const struct quick *);
 /* Where the value of the variable or element that comes next is; NULL: gives up. */

@@ -240,10 +240,26 @@ static void reserve(struct source *s)
 	s->numbers = memory_grow(NULL, s->number_room, sizeof *s->numbers);
 }
 
+/* No text to show, nothing to read but the error. */
+static void refuse(struct source *s, struct arena *arena, const char *kind)
+{
+	s->size = 0;
+	s->error = arena_printf(arena, "this is %s, not a text of the scene language", kind);
+	s->error_length = 1;
+	source_push(s, RAW_ERROR, 0, 0);
+}
+
 static void complete(struct source *s, struct arena *arena, struct diag *diag, struct names *names,
 	bool main_file)
 {
+	const char *kind = binary_kind(s->bytes, s->size);
+	if (kind)
+		refuse(s, arena, kind);
+	else
+		s->size = text_size(s->bytes, s->size);
 	s->number = diag_add_source(diag, s->name, s->bytes, s->size);
+	if (kind)
+		return;
 	if (s->size > UINT32_MAX - 16) {
 		s->error = "file too large: 4 GB are the limit";
 		source_push(s, RAW_ERROR, 0, 0);

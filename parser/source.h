@@ -103,7 +103,12 @@ double number_at(const char *text, size_t *length);
 /* The same when its first digits have been read. */
 double number_behind(const char *text, size_t digits, uint64_t value, size_t *length);
 
-/* -- between the lexer and source.c -- */
+/* -- between the lexer, binary.c and source.c -- */
+
+/* binary.c: what the bytes are, if they are no text; NULL: they may be one. */
+const char *binary_kind(const char *bytes, size_t size);
+/* Size without the zeros at the end. */
+size_t text_size(const char *bytes, size_t size);
 
 /* lexer.l: begins to read the text. */
 struct lexing *lex_begin(struct source *, struct names *, struct arena *);

@@ -113,6 +113,13 @@ static bool is_plain(const char *text, size_t length)
 	return true;
 }
 
+const char *string_plain(struct parser *p, const char *text, size_t length)
+{
+	return is_plain(text, length) && !memchr(text, '\\', length)
+		       ? arena_string(p->held.texts, text, length)
+		       : NULL;
+}
+
 const char *string_literal(
 	struct parser *p, const char *text, size_t length, span where, bool escapes)
 {

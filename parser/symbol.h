@@ -20,6 +20,7 @@ struct symbol {
 	uint32_t name;	       /* id */
 	unsigned table;	       /* number of its table; 0: removed */
 	bool entered;	       /* its first value is being read: declared, but without a value */
+	bool awaited;	       /* a #read was to give it a value: declared, even if none came */
 	bool kept;	       /* somebody holds on to it: do not recycle */
 	bool orphan;	       /* kept when its table went */
 	bool deprecated, deprecated_once;

@@ -36,14 +36,14 @@ static unsigned next_code(const char **s)
 	return code;
 }
 
-double text_length(const char *s)
+static size_t count_codes(const char *s)
 {
 	size_t n = 0;
 	while (*s) {
 		next_code(&s);
 		n++;
 	}
-	return (double)n;
+	return n;
 }
 
 double text_asc(const char *s)
@@ -140,6 +140,8 @@ static bool has_room(struct parser *p, size_t length, span where)
 	if (length > STRING_BYTES)
 		parser_stop(
 			p, where, "a string of %zu bytes: %d are the limit", length, STRING_BYTES);
+	else if (!growth_permits(p, (double)length, where))
+		return false;
 	else if (p->joined_bytes > JOINED_BYTES)
 		parser_stop(p, where, "the strings made by concat take more than %zu bytes",
 			(size_t)JOINED_BYTES);
@@ -229,19 +231,52 @@ const char *text_chr(struct parser *p, double value, span where)
 	return out;
 }
 
+/* Where the substrs of this string have come to; `fresh` is for one that is short. */
+static struct text_walk *walk_through(struct parser *p, const char *s, struct text_walk *fresh)
+{
+	for (unsigned i = 0; i < TEXT_WALKS; i++)
+		if (p->walks[i].text == s)
+			return &p->walks[i];
+	const bool is_long = strnlen(s, TEXT_WALK_LEAST) == TEXT_WALK_LEAST;
+	struct text_walk *w = is_long ? &p->walks[p->walk_count++ % TEXT_WALKS] : fresh;
+	*w = (struct text_walk){ .text = s, .at = s, .length = count_codes(s) };
+	return w;
+}
+
+/* Goes on to a character of the string, from where the walk is or from the beginning. */
+static const char *walk_to(struct text_walk *w, size_t character)
+{
+	if (character < w->character) {
+		w->character = 0;
+		w->at = w->text;
+	}
+	for (; w->character < character; w->character++)
+		next_code(&w->at);
+	return w->at;
+}
+
+double text_length(struct parser *p, const char *s)
+{
+	struct text_walk fresh;
+	return (double)walk_through(p, s, &fresh)->length;
+}
+
+/* Position 0, one before the first character, is allowed and gives nothing. */
 const char *text_substr(struct parser *p, const char *s, double first, double count, span where)
 {
 	const int from = number_truncate(first), n = number_truncate(count);
-	if (from < 1 || n < 0 || (double)from + n - 1 > text_length(s)) {
+	struct text_walk fresh, *w = walk_through(p, s, &fresh);
+	if (from < 0 || n < 0 || (double)from + n - 1 > (double)w->length) {
 		parser_error(p, where, "substr reaches outside the string");
 		return "";
 	}
-	for (int i = 1; i < from; i++)
-		next_code(&s);
-	const char *end = s;
+	if (from == 0 || n == 0)
+		return "";
+	const char *begin = walk_to(w, (size_t)from - 1);
+	const char *end = begin;
 	for (int i = 0; i < n; i++)
 		next_code(&end);
-	return arena_string(p->held.texts, s, (size_t)(end - s));
+	return arena_string(p->held.texts, begin, (size_t)(end - begin));
 }
 
 const char *text_case(struct parser *p, const char *s, bool upper, span where)

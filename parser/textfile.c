@@ -147,6 +147,7 @@ bool file_open(struct parser *p, span where)
 		return false;
 	f->previous = p->expand->files;
 	p->expand->files = f;
+	symbol = symbol_find(s, name); /* again: the expression may have changed what the name is */
 	if (!symbol)
 		symbol = symbol_create(s, name, SYMBOL_GLOBAL);
 	*symbol->slot = (struct value){ .kind = VALUE_FILE, .file = f };
@@ -319,33 +320,40 @@ static bool read_datum(struct parser *p, struct scene_file *f, struct value *v)
 	return take_kind(f, '<') ? read_vector(p, f, v) : read_number(p, f, &v->number.v[0]);
 }
 
-/* A variable to read into: it exists as a float, 3-vector or string, or not at all. */
-static bool read_target(struct parser *p, struct value **slot, struct array **array, span *where)
+/* What is read into. */
+struct variable {
+	struct symbol *symbol;
+	struct value *slot;
+	struct array *array; /* the slot is an element of it; or NULL */
+	span where;
+};
+
+/* It exists as a float, 3-vector or string, or not at all. */
+static bool read_variable(struct parser *p, struct variable *to)
 {
 	struct symbols *s = &p->expand->symbols;
 	uint32_t name;
-	if (!raw_name(p, "a variable to read", &name, where))
+	if (!raw_name(p, "a variable to read", &name, &to->where))
 		return false;
 	struct symbol *symbol = symbol_find(s, name);
 	if (!symbol)
 		symbol = symbol_create(s, name, SYMBOL_GLOBAL);
-	*slot = symbol->slot;
-	*array = NULL;
+	*to = (struct variable){ symbol, symbol->slot, NULL, to->where };
 	const struct raw_token *raw;
-	while ((*slot)->kind == VALUE_ARRAY && (raw = raw_peek(p)) && raw->kind == '[') {
-		*array = (*slot)->array;
-		*slot = identifier_element(p, *slot, symbol->text, where);
-		if (!*slot)
+	while (to->slot->kind == VALUE_ARRAY && (raw = raw_peek(p)) && raw->kind == '[') {
+		to->array = to->slot->array;
+		to->slot = identifier_element(p, to->slot, symbol->text, &to->where);
+		if (!to->slot)
 			return false;
 	}
-	const struct value *v = *slot;
+	const struct value *v = to->slot;
 	const bool fits =
 		v->kind == VALUE_NONE || v->kind == VALUE_STRING ||
 		(v->kind == VALUE_NUMBER && (v->number.terms == 1 || v->number.terms == 3));
-	const bool open = *array && (*array)->kind == VALUE_NONE;
+	const bool open = to->array && to->array->kind == VALUE_NONE;
 	if (fits && !open)
 		return true;
-	parser_error(p, *where, "'%s' cannot be read into: %s", symbol->text,
+	parser_error(p, to->where, "'%s' cannot be read into: %s", symbol->text,
 		open ? "the array has no elements yet that show their type"
 		     : "it is no float, 3-vector or string");
 	return false;
@@ -353,24 +361,24 @@ static bool read_target(struct parser *p, struct value **slot, struct array **ar
 
 /* Reads one datum. Without a comma behind it the token that is there instead is lost, as the
  * language has it; at the end of the file the handle goes. */
-static bool read_into(struct parser *p, struct symbol *handle, struct value *slot,
-	struct array *array, span where)
+static bool read_into(struct parser *p, struct symbol *handle, const struct variable *to)
 {
 	struct scene_file *f = handle->slot->file;
 	struct value v;
 	if (f->position == f->in->count)
-		return close_file(p, handle, where);
+		return close_file(p, handle, to->where);
 	if (!read_datum(p, f, &v)) {
-		parser_note(p, where, "it would be read into this");
+		parser_note(p, to->where, "it would be read into this");
 		return false;
 	}
-	if (array && !array_accepts(array, &v)) {
-		parser_error(p, where, "the datum does not have the type of the array's elements");
+	if (to->array && !array_accepts(to->array, &v)) {
+		parser_error(
+			p, to->where, "the datum does not have the type of the array's elements");
 		return false;
 	}
-	*slot = v;
+	*to->slot = v;
 	if (f->position == f->in->count)
-		return close_file(p, handle, where);
+		return close_file(p, handle, to->where);
 	f->position++;
 	return true;
 }
@@ -383,13 +391,14 @@ bool file_read(struct parser *p, span where)
 		return false;
 	handle->kept = true;
 	raw_accept(p, ',');
-	while (!raw_accept(p, ')')) {
-		struct value *slot;
-		struct array *array;
-		span at;
-		if (!read_target(p, &slot, &array, &at))
+	for (bool first = true; !raw_accept(p, ')'); first = false) {
+		struct variable to = { .where = NO_SPAN };
+		if (!read_variable(p, &to))
 			return false;
-		if (handle->slot->kind == VALUE_FILE && !read_into(p, handle, slot, array, at))
+		/* One without a datum counts as defined all the same, if it is the first. */
+		if (first && to.slot->kind == VALUE_NONE && !to.array)
+			to.symbol->awaited = true;
+		if (handle->slot->kind == VALUE_FILE && !read_into(p, handle, &to))
 			return false;
 		raw_accept(p, ',');
 	}
@@ -467,8 +476,17 @@ static bool starts_colour(int token)
 	       token == KW_SRGBT || token == KW_SRGBFT;
 }
 
-static bool write_item(
-	struct parser *p, FILE *out, int token, const struct format *format, span where)
+/* Whether the handle still stands for that file, which a macro in the item may have closed. */
+static bool is_open(struct parser *p, const struct symbol *handle, const FILE *out, span where)
+{
+	if (handle->slot->kind == VALUE_FILE && handle->slot->file->out == out)
+		return true;
+	parser_error(p, where, "the file was closed while it was being written");
+	return false;
+}
+
+static bool write_item(struct parser *p, const struct symbol *handle, FILE *out, int token,
+	const struct format *format, span where)
 {
 	if (starts_colour(token)) {
 		parser_error(p, where,
@@ -477,13 +495,13 @@ static bool write_item(
 	}
 	if (starts_string(token)) {
 		const char *text;
-		if (!parse_string(p, &text, false))
+		if (!parse_string(p, &text, false) || !is_open(p, handle, out, where))
 			return false;
 		fputs(string_bytes(p, text), out);
 		return true;
 	}
 	struct number number;
-	if (!parse_number_any(p, &number))
+	if (!parse_number_any(p, &number) || !is_open(p, handle, out, where))
 		return false;
 	write_number(out, format, &number);
 	return true;
@@ -524,11 +542,7 @@ bool file_write(struct parser *p, span where)
 			continue;
 		}
 		expand_unread(p, token, &v, at);
-		if (handle->slot->kind != VALUE_FILE || handle->slot->file->out != out) {
-			parser_error(p, at, "the file was closed while it was being written");
-			return false;
-		}
-		if (!write_item(p, out, token, format, at))
+		if (!write_item(p, handle, out, token, format, at))
 			return false;
 	}
 }

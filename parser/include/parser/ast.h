@@ -158,6 +158,7 @@ struct function {
 	span span;
 	const char *name;			  /* NULL: anonymous */
 	unsigned parameter_count, variable_count; /* parameters; parameters and loop variables */
+	size_t calls; /* of functions, those in the functions called included */
 	const struct expr *body;
 	int internal;
 	const struct node *node;
