@@ -1,4 +1,4 @@
-// waits for: photons, radiosity
+// waits for: radiosity
 // Form of OpenSCAD: polygons with a texture, a second finish and an interior; a camera with two `right`, an `up`, a sky and
 // a rotation by the clock; photons without any target and a setting of rad_def.inc in a second global_settings at the end.
 #version 3.7;

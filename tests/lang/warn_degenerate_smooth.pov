@@ -6,3 +6,4 @@ global_settings { assumed_gamma 1 }
 object { Opposed }
 object { Zero }
 sphere { 0, 1 }
+camera { location -5*z look_at 0 }
