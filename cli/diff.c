@@ -6,6 +6,7 @@
  */
 #include "commands.h"
 #include "messages.h"
+#include "names.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -74,6 +75,9 @@ static bool read_request(struct request *r, int argc, char **argv)
 	for (int i = 0, used; i < argc; i += used)
 		if (!take_argument(r, argc - i, argv + i, &used))
 			return false;
+	for (int i = 0; r->heatmap && i < r->count; i++)
+		if (names_same_file(r->heatmap, r->pictures[i]))
+			return wrong("the heat map would overwrite ", r->pictures[i]);
 	return r->count == 2 || wrong("two pictures are needed", "");
 }
 

@@ -111,6 +111,7 @@ static bool read_file(struct options *o, const char *path, const char *section)
 		return option_error(o, "the INI file %s cannot be read: %s", path, strerror(errno));
 	if (strlen(text) != size)
 		return option_error(o, "%s is no INI file: it is not text", path);
+	text_list_add(&o->pool, &o->ini_files, path);
 	const struct option_place before = o->place;
 	o->place = (struct option_place){ .file = path };
 	o->ini_depth++;

@@ -11,6 +11,7 @@
  * become blanks, so that the caret stands where it should.
  */
 #include "messages.h"
+#include "names.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -40,9 +41,10 @@ static bool wants_colour(void)
 
 /* Stream files */
 
-static bool open_stream(struct messages *m, enum stream stream, const char *picture, bool append)
+static bool open_stream(
+	struct messages *m, struct options *o, enum stream stream, const char *picture, bool append)
 {
-	const char *name = m->options->stream_file[stream];
+	const char *name = o->stream_file[stream];
 	if (!name)
 		return true;
 	if (strchr(name, '/')) {
@@ -57,6 +59,8 @@ static bool open_stream(struct messages *m, enum stream stream, const char *pict
 	char path[4096];
 	snprintf(path, sizeof path, "%.*s%s", slash ? (int)(slash - picture) + 1 : 0,
 		slash ? picture : "", name);
+	if (!names_may_write(o, path))
+		return false;
 	m->files[stream] = fopen(path, append ? "a" : "w");
 	if (!m->files[stream])
 		fprintf(stderr, "lambert: error: the text file %s cannot be written: %s\n", path,
@@ -64,8 +68,7 @@ static bool open_stream(struct messages *m, enum stream stream, const char *pict
 	return m->files[stream] != NULL;
 }
 
-bool messages_init(
-	struct messages *m, const struct options *options, const char *picture, bool append)
+bool messages_init(struct messages *m, struct options *options, const char *picture, bool append)
 {
 	const bool terminal = isatty(STDERR_FILENO);
 	*m = (struct messages){
@@ -76,7 +79,8 @@ bool messages_init(
 	};
 	bool ok = true;
 	for (int i = 0; i < STREAM_COUNT; i++)
-		ok = ok && open_stream(m, (enum stream)i, picture, append || options->append_file);
+		ok = ok && open_stream(m, options, (enum stream)i, picture,
+				   append || options->append_file);
 	return ok;
 }
 

@@ -25,7 +25,7 @@ struct messages {
 };
 
 /* Opens the files in the folder of `picture` (NULL: the current one); false after a message. */
-bool messages_init(struct messages *, const struct options *, const char *picture, bool append);
+bool messages_init(struct messages *, struct options *, const char *picture, bool append);
 void messages_finish(struct messages *);
 
 /* Callbacks for the library; `user` is a struct messages. */

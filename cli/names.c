@@ -61,6 +61,23 @@ const char *names_scene(struct options *o)
 	return o->input;
 }
 
+/* What must not be written */
+
+bool names_same_file(const char *a, const char *b)
+{
+	struct stat x, y;
+	return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+}
+
+bool names_may_write(struct options *o, const char *path)
+{
+	const char *in_use = names_same_file(path, names_scene(o)) ? "the scene" : NULL;
+	for (size_t i = 0; !in_use && i < o->ini_files.count; i++)
+		if (names_same_file(path, o->ini_files.items[i]))
+			in_use = "an INI file of this run";
+	return !in_use || option_error(o, "%s is %s: it is not overwritten", path, in_use);
+}
+
 /* The picture */
 
 static const struct {

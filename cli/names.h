@@ -13,6 +13,11 @@ char names_format(const struct options *);
 /* The name of the picture, "-" for standard output. `frame` with `digits` digits is appended to its
  * stem; digits 0: no frame number. NULL after a message. */
 const char *names_picture(struct options *, int frame, int digits);
+/* Whether a file of ours may be written there: not over the scene or an INI file of this run. False after
+ * a message. */
+bool names_may_write(struct options *, const char *path);
+/* Whether both paths lead to one file, by whatever links. */
+bool names_same_file(const char *a, const char *b);
 /* The file part of a path. */
 const char *names_file_part(const char *path);
 

@@ -322,11 +322,12 @@ static void add_library(struct options *o, const char *path)
 }
 
 /* Folders of the default INI file are nobody's wish of today. */
-static void warn_of_missing_folder(const struct options *o, const char *path)
+static bool check_folder(struct options *o, const char *path)
 {
 	struct stat s;
-	if (o->origin == ORIGIN_USER && (stat(path, &s) != 0 || !S_ISDIR(s.st_mode)))
-		option_warning(o, "there is no folder %s", path);
+	if (o->origin != ORIGIN_USER || (stat(path, &s) == 0 && S_ISDIR(s.st_mode)))
+		return true;
+	return doubt(o, text_printf(&o->pool, "there is no folder %s", path));
 }
 
 static bool is_identifier(const char *name)
@@ -433,7 +434,8 @@ static bool apply_value(
 	case KIND_GAMMA:
 		return apply_gamma(o, row, value);
 	case KIND_LIBRARY:
-		warn_of_missing_folder(o, value);
+		if (!check_folder(o, value))
+			return false;
 		add_library(o, text_copy(&o->pool, value, strlen(value)));
 		return true;
 	case KIND_FOLDERS:

@@ -92,6 +92,7 @@ struct options {
 	bool no_file_io;
 	double loop_limit; /* tokens; less than 0: not given */
 	struct text_list read_paths, write_paths;
+	struct text_list ini_files; /* that were read */
 
 	/* tracing */
 	bool antialias, jitter;

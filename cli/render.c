@@ -117,8 +117,9 @@ static bool choose_picture(struct job *job, const struct frames *frames, int fra
 		return false;
 	job->picture = names_picture(o, frame, frames->digits);
 	setup_output(o, &output);
-	return job->picture && lambert_output_check(job->picture, (unsigned)o->width,
-				       (unsigned)o->height, &output, refuse, NULL);
+	return job->picture && names_may_write(o, job->picture) &&
+	       lambert_output_check(job->picture, (unsigned)o->width, (unsigned)o->height, &output,
+		       refuse, NULL);
 }
 
 static int render_frame(struct options *o, const struct frames *frames, int frame)
@@ -162,9 +163,13 @@ static int render_frames(struct options *o)
 	return status;
 }
 
-static bool write_ini(const struct options *o)
+static bool write_ini(struct options *o)
 {
-	if (!o->create_ini || options_write_ini(o, o->create_ini))
+	if (!o->create_ini)
+		return true;
+	if (!names_may_write(o, o->create_ini))
+		return false;
+	if (options_write_ini(o, o->create_ini))
 		return true;
 	return option_error(
 		o, "the INI file %s cannot be written: %s", o->create_ini, strerror(errno));
@@ -175,7 +180,8 @@ int command_render(int argc, char **argv)
 	struct options options;
 	options_init(&options);
 	int status = STATUS_ERROR;
-	if (options_read(&options, argc, argv) && setup_check(&options) && write_ini(&options))
+	if (options_read(&options, argc, argv) && setup_check(&options) && write_ini(&options) &&
+		(!options.stats_file || names_may_write(&options, options.stats_file)))
 		status = render_frames(&options);
 	options_finish(&options);
 	if (status == STATUS_INTERRUPTED && !options.quiet)

@@ -137,6 +137,8 @@ void setup_scene(struct options *o, struct messages *messages, const struct fram
 	s->read_path_count = o->read_paths.count;
 	s->write_paths = o->write_paths.items;
 	s->write_path_count = o->write_paths.count;
+	s->kept_paths = o->ini_files.items;
+	s->kept_path_count = o->ini_files.count;
 	s->message = messages_take;
 	s->text = messages_take_text;
 	s->user = messages;

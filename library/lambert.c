@@ -118,6 +118,8 @@ static struct parse_options parse_options_for(
 		.read_path_count = o->read_path_count,
 		.write_paths = o->write_paths,
 		.write_path_count = o->write_path_count,
+		.kept_paths = o->kept_paths,
+		.kept_path_count = o->kept_path_count,
 		.text = forward_text,
 		.text_user = (void *)(uintptr_t)o,
 	};

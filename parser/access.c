@@ -13,6 +13,7 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static bool is_below(const char *path, const char *folder)
 {
@@ -81,6 +82,20 @@ bool file_true_path(const char *path, char real[PATH_MAX])
 	return true;
 }
 
+bool file_is_same(const char *a, const char *b)
+{
+	struct stat x, y;
+	return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+}
+
+static bool is_kept(const struct parse_options *o, const char *real)
+{
+	for (size_t i = 0; i < o->kept_path_count; i++)
+		if (file_is_same(real, o->kept_paths[i]))
+			return true;
+	return false;
+}
+
 const char *file_may_read(const struct parse_options *o, const char *path, struct arena *arena)
 {
 	char real[PATH_MAX];
@@ -113,6 +128,11 @@ FILE *file_open_to_write(const struct parse_options *o, const char *path, bool a
 			"the scene is not allowed to write '%s', which is not below the current "
 			"folder; --allow-write permits more",
 			path);
+		return NULL;
+	}
+	if (known && is_kept(o, real)) {
+		*message = arena_printf(
+			arena, "'%s' is in use by this run: it is not overwritten", path);
 		return NULL;
 	}
 	FILE *file = !known	  ? NULL

@@ -70,9 +70,8 @@ static bool is_own(const struct expand *x, const char *real)
 /* Whether a path leads to a text of the scene that the scene has not written itself. */
 static bool is_scene_text(const struct expand *x, const char *real)
 {
-	char other[PATH_MAX];
 	for (const struct source *s = x->sources; s; s = s->previous)
-		if (!s->is_data && file_true_path(s->name, other) && !strcmp(other, real))
+		if (!s->is_data && file_is_same(s->name, real))
 			return !is_own(x, real);
 	return false;
 }

@@ -238,7 +238,7 @@ static void long_options_say_the_same(void **state)
 {
 	(void)state;
 	assert_true(reads("--size", "320x200", "--antialias=2:0.1:4", "--threads=3", "--bits", "16",
-		"--alpha", "--gamma", "1.8", "--quality", "5", "--include-path", "dir", NULL));
+		"--alpha", "--gamma", "1.8", "--quality", "5", "--include-path", ".", NULL));
 	assert_int_equal(o.width, 320);
 	assert_int_equal(o.height, 200);
 	assert_true(o.antialias && o.sampling_method == 2 && o.antialias_threshold == 0.1f &&
@@ -246,7 +246,7 @@ static void long_options_say_the_same(void **state)
 	assert_int_equal(o.threads, 3);
 	assert_int_equal(o.bits, 16);
 	assert_true(o.output_alpha && o.file_gamma == 1.8f);
-	assert_string_equal(o.library.items[0], "dir");
+	assert_string_equal(o.library.items[0], ".");
 	assert_true(reads("--gamma=srgb", NULL) && o.file_gamma == 0);
 	static const char *const wrong[] = { "--size=320", "--size=0x5", "--size=3x4x", "--what",
 		"--alpha=1", "--threads", "--antialias=3", "--region=1,2,3", "--gamma=0",

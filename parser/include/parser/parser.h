@@ -55,6 +55,8 @@ struct parse_options {
 	size_t read_path_count;
 	const char *const *write_paths; /* more folders a scene may write below */
 	size_t write_path_count;
+	const char *const *kept_paths; /* files that a scene must not write, wherever they are */
+	size_t kept_path_count;
 	struct scratch_files *scratch; /* where files go that the scene writes; NULL: to the disk */
 	bool no_short_ways;	       /* leave every expression to the grammar: for tests */
 	double max_loop_tokens;	       /* give up after that many tokens; 0: no limit */
@@ -97,6 +99,8 @@ const char *file_in_folder(struct arena *, const char *folder, const char *name)
 
 /* The path of a file without links; the file need not exist yet, its folder must. */
 bool file_true_path(const char *path, char real[PATH_MAX]);
+/* Whether both paths lead to one file, by whatever links. False when there is none. */
+bool file_is_same(const char *a, const char *b);
 
 /* Files in memory, for a scene that is only looked at (scratch.c). */
 struct scratch_files *scratch_create(void);
