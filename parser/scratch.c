@@ -61,10 +61,12 @@ const char *scratch_read(const struct scratch_files *all, const char *path, size
 	return f->bytes;
 }
 
+/* What is no regular file begins empty: to open a pipe would wait for a writer. */
 static void copy_file(const char *path, FILE *to)
 {
 	char buffer[1 << 14];
-	FILE *from = fopen(path, "rb");
+	struct stat info;
+	FILE *from = stat(path, &info) == 0 && S_ISREG(info.st_mode) ? fopen(path, "rb") : NULL;
 	for (size_t n; from && (n = fread(buffer, 1, sizeof buffer, from)) > 0;)
 		fwrite(buffer, 1, n, to);
 	if (from)
