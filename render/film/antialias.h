@@ -23,7 +23,7 @@ struct sample {
 };
 
 /* The colour at (x, y) in pixel units, as trace_sample gives it. */
-typedef colour sample_source(void *user, double x, double y);
+typedef colour sample_source(void *user, double x, double y, struct sample_place);
 
 /* One thread's sampling of blocks. */
 struct sampler {
@@ -34,11 +34,12 @@ struct sampler {
 	struct antialias settings;
 	bool encodes, decodes_srgb; /* how comparisons see colours */
 	struct power_curve srgb, gamma;
-	double jitter;		/* displacement at most, in pixels */
-	struct sample *samples; /* of the block: pixel centres or corners, and a border */
-	struct sample *grid;	/* method 2: of the pixel in hand */
-	uint32_t *drawn;	/* the pixel a sample of the grid was drawn for */
-	uint32_t pixel;		/* counts pixels */
+	double jitter;		   /* displacement at most, in pixels */
+	struct sample *samples;	   /* of the block: pixel centres or corners, and a border */
+	struct sample *grid;	   /* method 2: of the pixel in hand */
+	uint32_t *drawn;	   /* the pixel a sample of the grid was drawn for */
+	uint32_t pixel;		   /* counts pixels */
+	struct sample_place place; /* method 2: of the last sample drawn in that pixel */
 };
 
 /* A sampler for blocks of at most block_size pixels a side. */

@@ -43,9 +43,9 @@ struct session {
 	atomic_bool stop;
 };
 
-static colour sample_worker(void *worker, double x, double y)
+static colour sample_worker(void *worker, double x, double y, struct sample_place place)
 {
-	return trace_sample(worker, x, y);
+	return trace_sample(worker, x, y, place);
 }
 
 static struct block block_at(const struct session *s, size_t index)

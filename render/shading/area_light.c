@@ -38,13 +38,17 @@ static double grid_factor(double j, int count)
 	return count > 1 ? j / (count - 1) - 0.5 : 0;
 }
 
-vec3 area_light_point(
-	struct worker *w, const struct light *light, const struct area_axes *axes, int u, int v)
+vec3 area_light_point(const struct light *light, const struct area_axes *axes, int u, int v,
+	struct sample_id id, uint32_t vertex)
 {
 	double ju = u, jv = v;
 	if (light->jitter) {
-		ju += worker_random(w) - 0.5;
-		jv += worker_random(w) - 0.5;
+		const uint32_t cell = (uint32_t)(v * light->area_count_u + u);
+		const uint64_t grid = sample_subdimension(
+			sample_dimension(vertex, SAMPLE_AREA_LIGHT), light->index);
+		const struct sample_pair by = sample_2d(id, sample_subdimension(grid, cell));
+		ju += by.u - 0.5;
+		jv += by.v - 0.5;
 	}
 	double a = grid_factor(ju, light->area_count_u);
 	double b = grid_factor(jv, light->area_count_v);
@@ -66,7 +70,8 @@ static rgb grid_point(const struct grid *g, int u, int v)
 	const struct light *light = g->light;
 	struct grid_sample *memo = &w->grid[(size_t)v * (size_t)light->area_count_u + (size_t)u];
 	if (memo->round != w->grid_round) {
-		const vec3 centre = area_light_point(w, light, &g->axes, u, v);
+		const vec3 centre =
+			area_light_point(light, &g->axes, u, v, w->sample, g->at->path->vertex);
 		vec3 direction;
 		const double distance =
 			light_direction(light, centre, g->at->surface.point, &direction);

@@ -129,14 +129,23 @@ static bool respond(const struct light *light, const struct point *at, const str
 	return out->diffuse != 0 || out->highlight != 0 || out->draws;
 }
 
+/* crand: a random share of each light's light is missing, by layer. */
+static double grain(
+	const struct worker *w, const struct point *at, const struct coat *coat, uint32_t light)
+{
+	const uint64_t grain = sample_dimension(at->path->vertex, SAMPLE_GRAIN);
+	return sample_1d(
+		w->sample, sample_subdimension(sample_subdimension(grain, coat->number), light));
+}
+
 /* The light sent to the viewer of light `arriving` from `direction`. */
 static rgb answer(struct worker *w, const struct point *at, const struct coat *coat, vec3 direction,
-	const struct response *response, rgb arriving)
+	const struct response *response, rgb arriving, uint32_t light)
 {
 	const struct finish *f = coat->finish;
 	double diffuse = response->diffuse * coat->own;
 	if (response->draws)
-		diffuse -= f->crand * worker_random(w);
+		diffuse -= f->crand * grain(w, at, coat, light);
 	rgb sum = rgb_scale(rgb_mul(coat->pigment, arriving), diffuse);
 	if (response->highlight != 0) {
 		if (f->metallic > 0)
@@ -160,7 +169,8 @@ static rgb light_grid(struct worker *w, const struct point *at, const struct coa
 	rgb sum = rgb_grey(0);
 	for (int v = 0; v < count_v; v++) {
 		for (int u = 0; u < count_u; u++) {
-			const vec3 centre = area_light_point(w, light, &axes, u, v);
+			const vec3 centre =
+				area_light_point(light, &axes, u, v, w->sample, at->path->vertex);
 			vec3 direction;
 			struct response response;
 			const double distance = light_direction(light, centre, p, &direction);
@@ -169,7 +179,9 @@ static rgb light_grid(struct worker *w, const struct point *at, const struct coa
 				continue;
 			const double left = light_attenuation(light, p, direction, distance);
 			sum = rgb_add(sum,
-				answer(w, at, coat, direction, &response, rgb_scale(share, left)));
+				answer(w, at, coat, direction, &response, rgb_scale(share, left),
+					light->index + (uint32_t)(v * count_u + u) *
+							       (uint32_t)w->scene->light_count));
 		}
 	}
 	return sum;
@@ -205,7 +217,7 @@ static rgb light_one(struct worker *w, const struct point *at, const struct coat
 		return rgb_grey(0);
 	if (grid)
 		return light_grid(w, at, coat, light, in);
-	return answer(w, at, coat, in->direction, &response, in->colour);
+	return answer(w, at, coat, in->direction, &response, in->colour, light->index);
 }
 
 rgb illuminate(struct worker *w, const struct point *at, const struct coat *coat)

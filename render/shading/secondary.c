@@ -107,6 +107,7 @@ void passage_follow(
 	next.ray = (ray){ at->surface.point, passage->direction };
 	next.weight *= passage->weight;
 	next.straight = passage->straight;
+	next.vertex = sample_vertex(at->path->vertex, 0);
 	if (passage->total)
 		next.kind = RAY_REFLECTED;
 	else

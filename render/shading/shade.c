@@ -84,9 +84,11 @@ static rgb reflection_push(
 		w->reflections =
 			memory_grow(w->reflections, w->reflection_room, sizeof *w->reflections);
 	}
-	w->reflections[w->reflection_count++] = (struct reflection){
-		.finish = f, .normal = coat->normal, .amount = amount, .weight = clear * weight
-	};
+	w->reflections[w->reflection_count++] = (struct reflection){ .number = coat->number,
+		.finish = f,
+		.normal = coat->normal,
+		.amount = amount,
+		.weight = clear * weight };
 	return amount;
 }
 
@@ -132,7 +134,7 @@ static void layers_shade(
 	for (size_t i = 0; i < texture->layer_count && out->clear > settings->adc_bailout; i++) {
 		const struct layer *layer = &texture->layers[i];
 		colour c = { 1, 1, 1, 0, 1 };
-		struct coat coat = { .finish = layer->finish };
+		struct coat coat = { .finish = layer->finish, .number = at->layers++ };
 		coat.normal = layer_normal(w, part, layer, &at->surface);
 		if (i == 0)
 			out->top_normal = coat.normal;
@@ -212,6 +214,7 @@ static rgb reflection_trace(struct worker *w, const struct point *at, const stru
 	path.level = at->path->level;
 	path.weight = at->path->weight * r->weight;
 	path.kind = RAY_REFLECTED;
+	path.vertex = sample_vertex(at->path->vertex, 1 + r->number);
 	path.straight = false;
 	path.ray.origin = at->surface.point;
 	path.ray.direction =
@@ -334,6 +337,7 @@ struct seen shade_hit(
 	at.object = hit->object;
 	at.depth = hit->t;
 	at.shares_lights = false;
+	at.layers = 0;
 	vec3 p;
 	const struct texture *texture = surface_open(&at.surface, hit, &path->ray, &p);
 	const size_t shared = w->incidence_count;

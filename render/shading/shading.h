@@ -42,10 +42,11 @@ struct containment {
 struct path {
 	ray ray;
 	struct containment inside;
-	float weight;  /* share in the picture, for adc_bailout */
-	int level;     /* compared with max_trace_level */
-	uint32_t kind; /* enum ray_kind */
-	bool straight; /* goes on unbent through a surface: keeps the level */
+	float weight;	 /* share in the picture, for adc_bailout */
+	int level;	 /* compared with max_trace_level */
+	uint32_t kind;	 /* enum ray_kind */
+	bool straight;	 /* goes on unbent through a surface: keeps the level */
+	uint32_t vertex; /* of the ray tree it ends at: names random numbers */
 };
 
 /* A point of a surface seen along a path. */
@@ -53,7 +54,8 @@ struct point {
 	struct surface surface;
 	const struct path *path;
 	const struct object *object;
-	double depth; /* distance along the path */
+	double depth;	 /* distance along the path */
+	uint32_t layers; /* shaded so far */
 	bool shares_lights;
 	size_t shared; /* with shares_lights: where in worker.incidences this point's are */
 };
@@ -69,6 +71,7 @@ struct incidence {
 
 /* A reflection to be traced when all layers are done. */
 struct reflection {
+	uint32_t number; /* of the layer */
 	const struct finish *finish;
 	vec3 normal;
 	rgb amount;
@@ -120,8 +123,7 @@ struct worker {
 	size_t grid_room;
 	uint32_t grid_round;
 
-	uint64_t sample_key; /* names the sample for random numbers */
-	uint64_t draws;	     /* made for this sample */
+	struct sample_id sample; /* names random numbers */
 	struct trace_stats stats;
 };
 
@@ -149,8 +151,6 @@ static inline double power_of(double base, double exponent)
 
 /* The colour seen along the path; *path is used up. */
 struct seen trace_path(struct worker *, struct path *);
-/* A random number for this sample. */
-double worker_random(struct worker *);
 
 /* ---- shade.c ---- */
 
@@ -172,6 +172,7 @@ vec3 layer_normal(
 
 /* One layer as the lights see it. */
 struct coat {
+	uint32_t number; /* among all layers at the point */
 	const struct finish *finish;
 	rgb pigment;
 	float own; /* share of its own colour: 1 - what comes through */
@@ -212,8 +213,8 @@ struct area_axes {
 };
 struct area_axes area_light_axes(const struct light *, vec3 to_centre);
 /* Where the light of grid point (u, v) stands, with its own jitter. */
-vec3 area_light_point(
-	struct worker *, const struct light *, const struct area_axes *, int u, int v);
+vec3 area_light_point(const struct light *, const struct area_axes *, int u, int v,
+	struct sample_id, uint32_t vertex);
 
 /* ---- secondary.c ---- */
 

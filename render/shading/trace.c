@@ -7,8 +7,6 @@
  */
 #include "shading.h"
 
-#include "base/random.h"
-
 #include <stdlib.h>
 
 /* Surfaces one ray may cross unbent; keeps rays that make no progress from going on forever. */
@@ -69,11 +67,6 @@ void worker_destroy(struct worker *w)
 const struct trace_stats *worker_stats(const struct worker *w)
 {
 	return &w->stats;
-}
-
-double worker_random(struct worker *w)
-{
-	return random_unit(random_mix(w->sample_key, w->draws++));
 }
 
 /* ---- rays ---- */
@@ -140,18 +133,18 @@ struct seen trace_path(struct worker *w, struct path *path)
 	return sum;
 }
 
-colour trace_sample(struct worker *w, double x, double y)
+colour trace_sample(struct worker *w, double x, double y, struct sample_place place)
 {
 	const struct scene *scene = w->scene;
 	struct path path;
 	if (!camera_ray(&scene->camera, x, y, w->width, w->height, &path.ray))
 		return (colour){ .transmit = 1 };
 	w->stats.camera_rays++;
-	w->sample_key = random_key(x, y);
-	w->draws = 0;
+	w->sample = sample_at(scene->settings.frame, place);
 	path.weight = 1;
 	path.level = 0;
 	path.kind = RAY_CAMERA;
+	path.vertex = SAMPLE_CAMERA_VERTEX;
 	path.straight = false;
 	if (w->origin_moves)
 		path.inside = containment_at(scene, path.ray.origin, w->scratch);

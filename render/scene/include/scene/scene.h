@@ -86,7 +86,8 @@ struct settings {
 	float adc_bailout;
 	rgb ambient_light;
 	rgb irid_wavelength;
-	int quality; /* 0 to 9 */
+	int quality;	/* 0 to 9 */
+	uint32_t frame; /* of an animation: names random numbers */
 	bool output_alpha;
 	struct working_space working;
 	int noise_generator; /* global default, resolved */

@@ -5,6 +5,7 @@
 #ifndef LAMBERT_SHADING_TRACE_H
 #define LAMBERT_SHADING_TRACE_H
 
+#include "sample/sample.h"
 #include "scene/scene.h"
 
 /* Counters, one set per worker, added up by index at the end. */
@@ -19,8 +20,9 @@ void worker_destroy(struct worker *);
 const struct trace_stats *worker_stats(const struct worker *);
 
 /* The colour at (x, y) in pixel units: integers are pixel centres, x from the left, y from the top.
- * r, g, b in the working space, unclamped; transmit is 1 - alpha; filter is 0. */
-colour trace_sample(struct worker *, double x, double y);
+ * r, g, b in the working space, unclamped; transmit is 1 - alpha; filter is 0. The place names its
+ * random numbers. */
+colour trace_sample(struct worker *, double x, double y, struct sample_place);
 
 /* The camera's ray for a sample position; false: no ray there (transparent black). */
 bool camera_ray(const struct camera *, double x, double y, unsigned width, unsigned height, ray *);

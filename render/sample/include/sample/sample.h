@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Random numbers by name. A number is a function of the frame, the pixel, the
+ * sample of that pixel and a dimension: what the number is for. Nothing counts
+ * draws. So a number depends neither on threads nor on the order of work, and a
+ * feature that draws leaves the draws of all others as they are.
+ *
+ * In each dimension the samples of one pixel are stratified: their first 2^k
+ * numbers fall one into each of 2^k equal parts of [0, 1), or of every such
+ * division of the unit square (Owen-scrambled Sobol points). Different pixels,
+ * frames and dimensions are independent of each other.
+ */
+#ifndef LAMBERT_SAMPLE_SAMPLE_H
+#define LAMBERT_SAMPLE_SAMPLE_H
+
+#include "base/random.h"
+
+/* A pixel, counted from the top left of the whole picture, and one of its samples, from 0. */
+struct sample_place {
+	int32_t x, y;
+	uint32_t index;
+};
+
+/* One sample of one pixel of one frame. */
+struct sample_id {
+	uint64_t pixel; /* hash of frame and pixel */
+	uint32_t index;
+};
+
+static inline struct sample_id sample_at(uint32_t frame, struct sample_place place)
+{
+	const uint64_t pixel = (uint64_t)(uint32_t)place.x << 32 | (uint32_t)place.y;
+	return (struct sample_id){ random_mix(random_mix(frame, pixel), frame), place.index };
+}
+
+/* What random numbers are for. */
+enum sample_purpose { SAMPLE_GRAIN, SAMPLE_AREA_LIGHT };
+
+/* The vertex of the ray tree that camera rays end at. */
+#define SAMPLE_CAMERA_VERTEX 0u
+/* The vertex that this ray from a vertex leads to. */
+static inline uint32_t sample_vertex(uint32_t vertex, uint32_t number)
+{
+	return (uint32_t)random_mix(vertex, number);
+}
+
+/* The dimension of a purpose at a vertex of the ray tree. */
+static inline uint64_t sample_dimension(uint32_t vertex, enum sample_purpose purpose)
+{
+	return (uint64_t)vertex << 32 | purpose;
+}
+/* One of several under it: of a light, a layer, a point of a grid. */
+static inline uint64_t sample_subdimension(uint64_t dimension, uint32_t number)
+{
+	return random_mix(dimension, number);
+}
+
+/* Uniform in [0, 1). */
+double sample_1d(struct sample_id, uint64_t dimension);
+/* Uniform in the unit square. */
+struct sample_pair {
+	double u, v;
+};
+struct sample_pair sample_2d(struct sample_id, uint64_t dimension);
+
+#endif
