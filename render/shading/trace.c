@@ -44,7 +44,7 @@ struct worker *worker_create(const struct scene *scene, unsigned width, unsigned
 	w->scratch = arena_create(0);
 	w->shadow = arena_create(0);
 	gather_lights(w);
-	w->origin_moves = scene->camera.type == CAMERA_ORTHOGRAPHIC;
+	w->origin_moves = scene->camera.kind->is_parallel;
 	if (!w->origin_moves)
 		w->at_camera = containment_at(scene, scene->camera.location, w->arena);
 	return w;

@@ -50,8 +50,8 @@ static void add_sphere(struct scene *scene)
 static struct scene *make_scene(void)
 {
 	struct scene *scene = scene_create();
-	scene->camera = (struct camera){ CAMERA_PERSPECTIVE, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
-		{ 0, 0, 1 } };
+	scene->camera = (struct camera){ camera_find("perspective"), { 0, 0, 0 }, { 1, 0, 0 },
+		{ 0, 1, 0 }, { 0, 0, 1 } };
 	scene->settings = (struct settings){ .version = 370,
 		.max_trace_level = 5,
 		.quality = 9,

@@ -255,7 +255,7 @@ static void index_ratio_follows_the_list(void **unused)
 static void camera_sees_pixel_centres(void **unused)
 {
 	(void)unused;
-	const struct camera c = { .type = CAMERA_PERSPECTIVE,
+	const struct camera c = { .kind = camera_find("perspective"),
 		.right = { 2, 0, 0 },
 		.up = { 0, 1, 0 },
 		.direction = { 0, 0, 1 } };
@@ -265,12 +265,12 @@ static void camera_sees_pixel_centres(void **unused)
 	CLOSE(r.direction.x, wanted.x);
 	CLOSE(r.direction.y, wanted.y);
 	struct camera o = c;
-	o.type = CAMERA_ORTHOGRAPHIC;
+	o.kind = camera_find("orthographic");
 	assert_true(camera_ray(&o, 3, 1, 4, 2, &r));
 	CLOSE(r.origin.x, 0.75);
 	CLOSE(r.origin.y, -0.25);
 	CLOSE(r.direction.z, 1);
-	const struct camera degenerate = { .type = CAMERA_PERSPECTIVE };
+	const struct camera degenerate = { .kind = camera_find("perspective") };
 	assert_false(camera_ray(&degenerate, 0, 0, 4, 2, &r));
 }
 

@@ -10,6 +10,7 @@
 #include "base/colour.h"
 #include "base/pointer_map.h"
 #include "base/transform.h"
+#include "camera/camera.h"
 #include "geometry/object.h"
 
 struct accel;
@@ -45,13 +46,6 @@ struct light {
 	int area_count_u, area_count_v;
 	int adaptive;
 	bool jitter, circular, orient, area_illumination;
-};
-
-enum camera_type { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
-
-struct camera {
-	enum camera_type type;
-	vec3 location, right, up, direction; /* final, as camera_ray uses them */
 };
 
 struct sky_sphere {

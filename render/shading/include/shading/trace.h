@@ -24,7 +24,4 @@ const struct trace_stats *worker_stats(const struct worker *);
  * random numbers. */
 colour trace_sample(struct worker *, double x, double y, struct sample_place);
 
-/* The camera's ray for a sample position; false: no ray there (transparent black). */
-bool camera_ray(const struct camera *, double x, double y, unsigned width, unsigned height, ray *);
-
 #endif
