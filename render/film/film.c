@@ -146,7 +146,7 @@ bool film_expose(struct film *film, const struct scene *scene, const struct expo
 	pthread_mutex_destroy(&s.lock);
 	for (unsigned i = 0; i < threads; i++) {
 		if (stats)
-			add_stats(stats, worker_stats(s.workers[i]));
+			add_stats(stats, &s.workers[i]->stats);
 		worker_destroy(s.workers[i]);
 		sampler_finish(&s.samplers[i]);
 	}

@@ -6,7 +6,7 @@
 
 #include "function/ridged.h"
 #include "scene/scene.h"
-#include "shading/trace.h"
+#include "integrate/trace.h"
 
 /* The order of pixels is that of POV-Ray: by blocks of this size. */
 enum { BLOCK = 32 };

@@ -14,6 +14,7 @@
 #include "geometry/object.h"
 
 struct accel;
+struct light_class;
 struct pigment;
 struct normal;
 
@@ -27,15 +28,13 @@ struct interior {
 	bool hollow;
 };
 
-enum light_type { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER, LIGHT_SHADOWLESS };
-
 struct light {
-	enum light_type type;
+	const struct light_class *kind;
 	uint32_t index; /* in scene.lights, by scene_commit */
 	bool parallel;
 	vec3 location, point_at, axis; /* axis = unit(point_at - location) */
 	rgb colour;
-	double radius, falloff; /* cosines for spotlights, lengths for cylinders */
+	double radius, falloff; /* of the cone: cosines of angles, or lengths; light.h */
 	double tightness;
 	double fade_distance, fade_power;
 	bool media_attenuation, media_interaction;
@@ -105,6 +104,8 @@ struct scene {
 
 	/* made by scene_commit */
 	struct accel *accel;
+	const struct light **global_lights; /* those that are in no group */
+	size_t global_light_count;
 	bool has_tinted_shadows; /* some object casts a shadow that is not opaque */
 };
 

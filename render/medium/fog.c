@@ -5,7 +5,7 @@
  * its mean over a stretch is known in closed form, an arctangent. Several fogs
  * do not attenuate each other's colour.
  */
-#include "shading.h"
+#include "medium/fog.h"
 
 #include "base/elementary.h"
 #include "noise/noise.h"

@@ -6,7 +6,7 @@
  * with unequal weights when the count is not a power of two; scenes are tuned to
  * it. Jitter moves the points by numbers that belong to the sample.
  */
-#include "shading.h"
+#include "shadow.h"
 
 #include <string.h>
 
@@ -16,9 +16,9 @@
 struct grid {
 	struct worker *worker;
 	const struct light *light;
-	const struct point *at;
+	const struct light_target *target;
 	struct area_axes axes;
-	rgb colour; /* of the light without shadow */
+	rgb radiance; /* of the light without shadow */
 };
 
 struct area_axes area_light_axes(const struct light *light, vec3 to_centre)
@@ -33,20 +33,28 @@ struct area_axes area_light_axes(const struct light *light, vec3 to_centre)
 	return (struct area_axes){ vec_scale(u, size), vec_scale(v, size) };
 }
 
+/* The random numbers of a point belong to it alone, so those of one point are stratified over the
+ * samples of a pixel, and how finely the grid is looked at stays independent of them. */
+static uint64_t point_dimension(
+	const struct light_target *target, const struct light *light, int u, int v)
+{
+	const uint64_t lights = sample_dimension(target->vertex, SAMPLE_AREA_LIGHT);
+	const uint64_t grid = sample_subdimension(lights, light->index);
+	return sample_subdimension(grid, (uint32_t)(v * light->area_count_u + u));
+}
+
 static double grid_factor(double j, int count)
 {
 	return count > 1 ? j / (count - 1) - 0.5 : 0;
 }
 
-vec3 area_light_point(const struct light *light, const struct area_axes *axes, int u, int v,
-	struct sample_id id, uint32_t vertex)
+vec3 area_light_point(const struct worker *w, const struct light_target *target,
+	const struct light *light, const struct area_axes *axes, int u, int v)
 {
 	double ju = u, jv = v;
 	if (light->jitter) {
-		const uint32_t cell = (uint32_t)(v * light->area_count_u + u);
-		const uint64_t grid = sample_subdimension(
-			sample_dimension(vertex, SAMPLE_AREA_LIGHT), light->index);
-		const struct sample_pair by = sample_2d(id, sample_subdimension(grid, cell));
+		const struct sample_pair by =
+			sample_2d(w->sample, point_dimension(target, light, u, v));
 		ju += by.u - 0.5;
 		jv += by.v - 0.5;
 	}
@@ -67,18 +75,16 @@ vec3 area_light_point(const struct light *light, const struct area_axes *axes, i
 static rgb grid_point(const struct grid *g, int u, int v)
 {
 	struct worker *w = g->worker;
-	const struct light *light = g->light;
-	struct grid_sample *memo = &w->grid[(size_t)v * (size_t)light->area_count_u + (size_t)u];
-	if (memo->round != w->grid_round) {
-		const vec3 centre =
-			area_light_point(light, &g->axes, u, v, w->sample, g->at->path->vertex);
-		vec3 direction;
-		const double distance =
-			light_direction(light, centre, g->at->surface.point, &direction);
-		memo->colour = shadow_filter(w, light, g->at, direction, distance, g->colour);
-		memo->round = w->grid_round;
+	const struct light_memory *m = w->light;
+	struct grid_point *memo = &m->grid[(size_t)v * (size_t)g->light->area_count_u + (size_t)u];
+	if (memo->round != m->grid_round) {
+		const vec3 centre = area_light_point(w, g->target, g->light, &g->axes, u, v);
+		struct light_sample s = { .light = g->light, .radiance = g->radiance };
+		s.distance = light_direction(g->light, centre, g->target->point, &s.direction);
+		memo->radiance = shadow_filter(w, g->target, &s);
+		memo->round = m->grid_round;
 	}
-	return memo->colour;
+	return memo->radiance;
 }
 
 static bool differ(rgb a, rgb b)
@@ -104,26 +110,28 @@ static rgb grid_mean(const struct grid *g, int u1, int v1, int u2, int v2, int l
 	return rgb_scale(rgb_add(rgb_add(rgb_add(c00, c10), c01), c11), 0.25);
 }
 
-/* Forgets what is known of other points: all samples are of an older round. */
-static void grid_begin(struct worker *w, size_t count)
+/* Forgets what is known of other targets: all points are of an older round. */
+static void grid_begin(struct light_memory *m, size_t count)
 {
-	const bool grows = w->grid_room < count;
+	const bool grows = m->grid_room < count;
 	if (grows) {
-		w->grid_room = count;
-		w->grid = memory_grow(w->grid, count, sizeof *w->grid);
+		m->grid_room = count;
+		m->grid = memory_grow(m->grid, count, sizeof *m->grid);
 	}
-	if (grows || w->grid_round == UINT32_MAX) {
-		memset(w->grid, 0, w->grid_room * sizeof *w->grid);
-		w->grid_round = 0;
+	if (grows || m->grid_round == UINT32_MAX) {
+		memset(m->grid, 0, m->grid_room * sizeof *m->grid);
+		m->grid_round = 0;
 	}
-	w->grid_round++;
+	m->grid_round++;
 }
 
-rgb area_light_filter(struct worker *w, const struct light *light, const struct point *at,
-	vec3 direction, rgb arriving)
+rgb area_light_filter(
+	struct worker *w, const struct light_target *target, const struct light_sample *s)
 {
-	const struct grid g = { w, light, at, area_light_axes(light, direction), arriving };
+	const struct light *light = s->light;
+	const struct grid g = { w, light, target, area_light_axes(light, s->direction),
+		s->radiance };
 	const size_t count = (size_t)light->area_count_u * (size_t)light->area_count_v;
-	grid_begin(w, count);
+	grid_begin(w->light, count);
 	return grid_mean(&g, 0, 0, light->area_count_u - 1, light->area_count_v - 1, 0);
 }

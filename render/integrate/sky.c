@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What is seen where nothing is: the pigments of sky_sphere over the background.
+ * What comes from where nothing is: the pigments of sky_sphere over the background.
  * From version 3.7 on they are composited like the layers of a texture; before,
  * filter and transmit of the pigments were multiplied up separately.
  */
-#include "shading.h"
+#include "integrate.h"
 
 static vec3 sky_point(const struct sky_sphere *sky, vec3 direction)
 {
@@ -23,7 +23,7 @@ static colour background(const struct scene *scene, bool reflected)
 	return b;
 }
 
-static struct seen layered_sky(const struct scene *scene, vec3 direction, colour behind)
+static struct radiance layered_sky(const struct scene *scene, vec3 direction, colour behind)
 {
 	const struct sky_sphere *sky = scene->sky_sphere;
 	rgb light = rgb_grey(0), tint = rgb_grey(1);
@@ -41,10 +41,10 @@ static struct seen layered_sky(const struct scene *scene, vec3 direction, colour
 	const rgb own = rgb_scale(colour_rgb(behind), colour_opacity(behind));
 	light = rgb_add(light, rgb_mul(own, tint));
 	tint = rgb_mul(tint, colour_tint(behind));
-	return (struct seen){ light, fminf(1, fabsf(rgb_luminance(tint))) };
+	return (struct radiance){ light, fminf(1, fabsf(rgb_luminance(tint))) };
 }
 
-static struct seen old_sky(const struct scene *scene, vec3 direction, colour behind)
+static struct radiance old_sky(const struct scene *scene, vec3 direction, colour behind)
 {
 	const struct sky_sphere *sky = scene->sky_sphere;
 	const vec3 p = sky_point(sky, direction);
@@ -61,17 +61,17 @@ static struct seen old_sky(const struct scene *scene, vec3 direction, colour beh
 		clear = fabsf(f.filter) + fabsf(f.transmit);
 	}
 	light = rgb_add(rgb_mul(light, sky->emission), rgb_mul(colour_rgb(behind), colour_tint(f)));
-	return (struct seen){ light, behind.transmit * f.transmit };
+	return (struct radiance){ light, behind.transmit * f.transmit };
 }
 
-struct seen sky_seen(const struct scene *scene, vec3 direction, bool reflected)
+struct radiance sky_radiance(const struct scene *scene, vec3 direction, bool reflected)
 {
 	const colour behind = background(scene, reflected);
 	if (scene->settings.version >= 370)
 		return layered_sky(scene, direction, behind);
 	if (scene->settings.output_alpha && !reflected) /* old scenes: nothing at all is there */
-		return (struct seen){ rgb_grey(0), 1 };
+		return (struct radiance){ rgb_grey(0), 1 };
 	if (!scene->sky_sphere)
-		return (struct seen){ colour_rgb(behind), behind.transmit };
+		return (struct radiance){ colour_rgb(behind), behind.transmit };
 	return old_sky(scene, direction, behind);
 }

@@ -5,7 +5,10 @@
  * reflections, and refractions that several textures bend differently, recurse.
  * Every stretch of the way is seen through the fog that fills it.
  */
-#include "shading.h"
+#include "integrate.h"
+
+#include "accel/accel.h"
+#include "medium/fog.h"
 
 #include <stdlib.h>
 
@@ -14,39 +17,24 @@ enum { STRETCHES_MAX = 100000 };
 
 /* ---- worker ---- */
 
-static bool is_foggy(const struct scene *scene)
-{
-	return scene->fog_count > 0 && scene->settings.quality >= 9;
-}
-
-static void gather_lights(struct worker *w)
+static struct integrate_memory *integrate_memory_create(
+	const struct worker *w, unsigned width, unsigned height)
 {
 	const struct scene *scene = w->scene;
-	w->lights = ARENA_ARRAY(w->arena, scene->light_count, const struct light *);
-	w->blockers =
-		ARENA_ARRAY(w->arena, scene->light_count * BLOCKER_LEVELS, const struct object *);
-	for (size_t i = 0; i < scene->light_count; i++) {
-		const struct light *light = scene->lights[i];
-		for (int level = 0; level < BLOCKER_LEVELS; level++)
-			w->blockers[i * BLOCKER_LEVELS + (size_t)level] = NULL;
-		if (!light->group_only)
-			w->lights[w->light_count++] = light;
-		if (is_foggy(scene) && light->media_attenuation && light->media_interaction)
-			w->has_shadow_fog = true;
-	}
+	struct integrate_memory *m = memory_alloc(1, sizeof *m);
+	*m = (struct integrate_memory){ .width = width, .height = height };
+	if (!scene->camera.kind->is_parallel)
+		m->at_camera = interior_stack_at(scene, scene->camera.location, w->arena);
+	return m;
 }
 
 struct worker *worker_create(const struct scene *scene, unsigned width, unsigned height)
 {
 	struct worker *w = memory_alloc(1, sizeof *w);
-	*w = (struct worker){ .scene = scene, .width = width, .height = height };
-	w->arena = arena_create(0);
-	w->scratch = arena_create(0);
-	w->shadow = arena_create(0);
-	gather_lights(w);
-	w->origin_moves = scene->camera.kind->is_parallel;
-	if (!w->origin_moves)
-		w->at_camera = containment_at(scene, scene->camera.location, w->arena);
+	worker_init(w, scene);
+	w->surface = surface_memory_create();
+	w->light = light_memory_create(w);
+	w->integrate = integrate_memory_create(w, width, height);
 	return w;
 }
 
@@ -54,26 +42,20 @@ void worker_destroy(struct worker *w)
 {
 	if (!w)
 		return;
-	free(w->parts);
-	free(w->reflections);
-	free(w->incidences);
-	free(w->grid);
-	arena_destroy(w->arena);
-	arena_destroy(w->scratch);
-	arena_destroy(w->shadow);
+	surface_memory_destroy(w->surface);
+	light_memory_destroy(w->light);
+	free(w->integrate->samples);
+	free(w->integrate->lit);
+	free(w->integrate);
+	worker_finish(w);
 	free(w);
-}
-
-const struct trace_stats *worker_stats(const struct worker *w)
-{
-	return &w->stats;
 }
 
 /* ---- rays ---- */
 
 /* To the next surface, *depth away, or to the sky. */
-static struct seen surface_or_sky(
-	struct worker *w, struct path *path, struct passage *onward, double *depth)
+static struct radiance surface_or_sky(
+	struct worker *w, struct path *path, struct transmission *onward, double *depth)
 {
 	const struct scene *scene = w->scene;
 	struct hit hit;
@@ -83,11 +65,12 @@ static struct seen surface_or_sky(
 	}
 	*depth = T_MISS;
 	onward->present = false;
-	return sky_seen(scene, path->ray.direction, path->kind == RAY_REFLECTED);
+	return sky_radiance(scene, path->ray.direction, path->kind == RAY_REFLECTED);
 }
 
 /* One stretch, through the fog that fills it. */
-static struct seen stretch_trace(struct worker *w, struct path *path, struct passage *onward)
+static struct radiance stretch_trace(
+	struct worker *w, struct path *path, struct transmission *onward)
 {
 	const struct scene *scene = w->scene;
 	double depth;
@@ -95,36 +78,36 @@ static struct seen stretch_trace(struct worker *w, struct path *path, struct pas
 		path->level++;
 	if ((uint64_t)path->level > w->stats.max_level)
 		w->stats.max_level = (uint64_t)path->level;
-	if (!is_foggy(scene) || !containment_is_hollow(&path->inside))
+	if (!scene_is_foggy(scene) || !interior_stack_is_hollow(&path->inside))
 		return surface_or_sky(w, path, onward, &depth);
 
 	const ray r = path->ray; /* the path itself goes on */
-	struct seen seen = surface_or_sky(w, path, onward, &depth);
+	struct radiance radiance = surface_or_sky(w, path, onward, &depth);
 	rgb factor, added;
 	fog_effect(scene, r, depth, &factor, &added);
-	seen.light = rgb_add(added, rgb_mul(factor, seen.light));
-	seen.transmit *= rgb_luminance(factor);
+	radiance.light = rgb_add(added, rgb_mul(factor, radiance.light));
+	radiance.transmit *= rgb_luminance(factor);
 	if (onward->present) {
 		onward->factor = rgb_mul(onward->factor, factor);
 		onward->transmit *= rgb_luminance(factor);
 	}
-	return seen;
+	return radiance;
 }
 
-struct seen trace_path(struct worker *w, struct path *path)
+struct radiance trace_path(struct worker *w, struct path *path)
 {
 	const struct settings *settings = &w->scene->settings;
-	struct seen sum = { 0 };
+	struct radiance sum = { 0 };
 	rgb factor = rgb_grey(1);
 	float transmit = 1;
 	for (int i = 0; i < STRETCHES_MAX; i++) {
-		struct passage onward;
+		struct transmission onward;
 		if (path->level >= settings->max_trace_level ||
 			path->weight < settings->adc_bailout)
 			break;
-		const struct seen seen = stretch_trace(w, path, &onward);
-		sum.light = rgb_add(sum.light, rgb_mul(factor, seen.light));
-		sum.transmit += transmit * seen.transmit;
+		const struct radiance radiance = stretch_trace(w, path, &onward);
+		sum.light = rgb_add(sum.light, rgb_mul(factor, radiance.light));
+		sum.transmit += transmit * radiance.transmit;
 		if (!onward.present)
 			break;
 		factor = rgb_mul(factor, onward.factor);
@@ -136,8 +119,9 @@ struct seen trace_path(struct worker *w, struct path *path)
 colour trace_sample(struct worker *w, double x, double y, struct sample_place place)
 {
 	const struct scene *scene = w->scene;
+	const struct integrate_memory *m = w->integrate;
 	struct path path;
-	if (!camera_ray(&scene->camera, x, y, w->width, w->height, &path.ray))
+	if (!camera_ray(&scene->camera, x, y, m->width, m->height, &path.ray))
 		return (colour){ .transmit = 1 };
 	w->stats.camera_rays++;
 	w->sample = sample_at(scene->settings.frame, place);
@@ -146,13 +130,14 @@ colour trace_sample(struct worker *w, double x, double y, struct sample_place pl
 	path.kind = RAY_CAMERA;
 	path.vertex = SAMPLE_CAMERA_VERTEX;
 	path.straight = false;
-	if (w->origin_moves)
-		path.inside = containment_at(scene, path.ray.origin, w->scratch);
+	if (scene->camera.kind->is_parallel)
+		path.inside = interior_stack_at(scene, path.ray.origin, w->scratch);
 	else
-		containment_borrow(&path.inside, &w->at_camera);
+		interior_stack_borrow(&path.inside, &m->at_camera);
 
-	const struct seen seen = trace_path(w, &path);
+	const struct radiance radiance = trace_path(w, &path);
 	if (arena_used(w->scratch) > 0)
 		arena_reset(w->scratch);
-	return (colour){ seen.light.r, seen.light.g, seen.light.b, 0, seen.transmit };
+	return (colour){ radiance.light.r, radiance.light.g, radiance.light.b, 0,
+		radiance.transmit };
 }

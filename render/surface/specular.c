@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Reflected and refracted rays: how much, which way, and what the interior
- * takes. Reflectivity runs from reflection_min looking straight on to
- * reflection_max at grazing angles, by a power of the cosine or by Fresnel's
- * formula for unpolarised light.
+ * Mirrors and refraction. Reflectivity runs from reflection_min looking straight
+ * on to reflection_max at grazing angles, by a power of the cosine or by
+ * Fresnel's formula for unpolarised light.
  */
-#include "shading.h"
+#include "surface/specular.h"
 
 #include "base/elementary.h"
+#include "medium/interior.h"
 
 double fresnel_reflectance(double eta, double cosine)
 {
@@ -38,14 +38,14 @@ static rgb falloff_reflectivity(const struct finish *f, double cosine)
 	return rgb_blend(f->reflection_max, f->reflection_min, k);
 }
 
-rgb reflectivity(const struct point *at, const struct coat *coat, float *weight)
+rgb reflectivity(const struct interaction *it, const struct lobe *lobe, float *weight)
 {
-	const struct finish *f = coat->finish;
-	const double cosine = -vec_dot(at->surface.direction, coat->normal);
+	const struct finish *f = lobe->finish;
+	const double cosine = -vec_dot(it->surface.direction, lobe->normal);
 	rgb amount;
 	if (f->fresnel) {
 		const double eta =
-			containment_fresnel_ratio(&at->path->inside, object_interior(at->object));
+			interior_stack_fresnel_ratio(it->interiors, object_interior(it->object));
 		amount = rgb_blend(
 			f->reflection_max, f->reflection_min, fresnel_reflectance(eta, cosine));
 		*weight = rgb_max(amount);
@@ -55,7 +55,7 @@ rgb reflectivity(const struct point *at, const struct coat *coat, float *weight)
 	}
 	if (f->reflection_metallic != 0)
 		amount = rgb_mul(
-			amount, metallic_factor(f->reflection_metallic, coat->pigment, cosine));
+			amount, metallic_factor(f->reflection_metallic, lobe->pigment, cosine));
 	return amount;
 }
 
@@ -83,43 +83,4 @@ bool refract_direction(vec3 v, vec3 normal, double eta, vec3 *out)
 	const vec3 against = along > 0 ? vec_negate(normal) : normal;
 	*out = vec_add(vec_scale(v, eta), vec_scale(against, eta * cosine - sqrt(q)));
 	return true;
-}
-
-rgb interior_fading(const struct interior *i, double z)
-{
-	if (fabs(i->fade_distance) <= NEARLY_ZERO)
-		return rgb_grey(1);
-	const double x = z / i->fade_distance;
-	const rgb k = i->fade_colour;
-	const rgb rest = { 1 - k.r, 1 - k.g, 1 - k.b };
-	if (i->fade_power >= 1000)
-		return (rgb){ (float)elementary_exp(-rest.r * x),
-			(float)elementary_exp(-rest.g * x), (float)elementary_exp(-rest.b * x) };
-	return rgb_add(k, rgb_scale(rest, 1 / (1 + power_of(x, i->fade_power))));
-}
-
-void passage_follow(
-	struct worker *w, const struct point *at, const struct passage *passage, struct path *path)
-{
-	struct path next = *at->path;
-	if (path != at->path)
-		next.inside.borrowed = true;
-	next.ray = (ray){ at->surface.point, passage->direction };
-	next.weight *= passage->weight;
-	next.straight = passage->straight;
-	next.vertex = sample_vertex(at->path->vertex, 0);
-	if (passage->total)
-		next.kind = RAY_REFLECTED;
-	else
-		containment_toggle(&next.inside, object_interior(at->object), w->scratch);
-	if (next.kind == RAY_CAMERA)
-		next.kind = RAY_SECONDARY;
-
-	if (passage->straight)
-		w->stats.transmitted_rays++;
-	else if (passage->total)
-		w->stats.reflected_rays++;
-	else
-		w->stats.refracted_rays++;
-	*path = next;
 }
