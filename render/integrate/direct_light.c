@@ -2,67 +2,71 @@
 /*
  * Direct light: what the lobes at a point send on of the light of each lamp. What
  * a lobe would make of a light is known before the shadow ray is, so light that
- * could not matter costs no shadow ray; the shadows of all that is left are asked
- * together, once for all lobes.
+ * could not matter costs no shadow ray, and one shadow ray serves all lobes.
  */
 #include "integrate.h"
 
-/* What one lobe makes of one light. */
+/* A lobe that scatters light, and what it makes of the light at hand. */
 struct lit_lobe {
-	bool shows; /* anything of it */
+	const struct lobe *lobe;
+	bool has_back; /* light from behind matters, too */
+	bool shows;
 	struct brdf_value value;
+	rgb sum; /* sent on of all lights so far */
 };
 
-/* The lights of one part of an interaction. */
 struct lighting {
 	struct worker *worker;
 	const struct interaction *it;
-	const struct layers *layers;
 	struct light_target target;
-	struct light_sample *samples; /* that matter */
-	struct lit_lobe *lit;	      /* of each sample, each lobe */
-	size_t count;
+	bool both_sides; /* double_illuminate */
+	struct lit_lobe *lit, *end;
 };
 
-static unsigned how_it_lights(const struct lighting *l, const struct light *light)
+static unsigned how_it_lights(const struct light *light, bool both_sides)
 {
 	return (light->kind->makes_highlights ? BRDF_HIGHLIGHTS : 0) |
-	       (l->it->object->double_illuminate ? BRDF_BOTH_SIDES : 0);
+	       (both_sides ? BRDF_BOTH_SIDES : 0);
 }
 
 /* Whether a light that stands at one point is behind a lobe that shows nothing of such light. This
  * is seen before its direction is made unit: a sine of rounding errors is no cosine of 1e-10. */
-static bool is_behind(const struct lighting *l, const struct lobe *lobe, const struct light *light)
+static bool is_behind(
+	const struct lighting *l, const struct lit_lobe *lit, const struct light *light)
 {
-	if (light->parallel || lobe->finish->diffuse_back != 0 || light->area_illumination ||
-		l->it->object->double_illuminate)
+	if (lit->has_back || light->parallel || light->area_illumination)
 		return false;
-	return vec_dot(lobe->normal, vec_sub(light->location, l->target.point)) <= 0;
+	return vec_dot(lit->lobe->normal, vec_sub(light->location, l->target.point)) <= 0;
 }
 
-/* Takes up a light if some lobe shows something of it. */
-static void light_add(struct lighting *l, const struct light *light)
+static bool lobe_shows(const struct lighting *l, struct lit_lobe *lit, const struct light *light,
+	const struct light_sample *s)
 {
-	struct light_sample *s = &l->samples[l->count];
-	struct lit_lobe *lit = &l->lit[l->count * l->layers->count];
-	const bool spread = light_is_spread(l->worker, light);
-	const unsigned how =
-		how_it_lights(l, light) | (light->area_illumination ? BRDF_BOTH_SIDES : 0);
+	if (light_is_spread(l->worker, light))
+		return true;
+	const bool both_sides = l->both_sides || light->area_illumination;
+	return brdf_eval(
+		l->it, lit->lobe, &s->direction, how_it_lights(light, both_sides), &lit->value);
+}
+
+/* Whether some lobe shows anything of a light; if so, *s is what it sends. */
+static bool light_matters(struct lighting *l, const struct light *light, struct light_sample *s)
+{
 	bool is_aimed = false, matters = false;
-	for (size_t i = 0; i < l->layers->count; i++) {
-		const struct lobe *lobe = &l->layers->lobes[i];
-		lit[i].shows = false;
-		if (!lobe_scatters(lobe) || (!spread && is_behind(l, lobe, light)))
+	for (struct lit_lobe *lit = l->lit; lit < l->end; lit++) {
+		lit->shows = false;
+		if (is_behind(l, lit, light))
 			continue;
-		if (!is_aimed)
-			*s = light_aim(l->worker, light, l->target.point);
-		is_aimed = true;
-		if (rgb_is_dark(s->radiance))
-			return;
-		lit[i].shows = spread || brdf_eval(l->it, lobe, s->direction, how, &lit[i].value);
-		matters |= lit[i].shows;
+		if (!is_aimed) {
+			light_aim(l->worker, light, &l->target.point, s);
+			if (rgb_is_dark(s->radiance))
+				return false;
+			is_aimed = true;
+		}
+		lit->shows = lobe_shows(l, lit, light, s);
+		matters |= lit->shows;
 	}
-	l->count += matters;
+	return matters;
 }
 
 /* area_illumination: each light of the grid lights by itself, under the common shadow. */
@@ -70,122 +74,108 @@ static rgb grid_light(
 	const struct lighting *l, const struct lobe *lobe, const struct light_sample *whole)
 {
 	const struct light *light = whole->light;
-	const unsigned how = how_it_lights(l, light);
-	const struct light_grid grid = light_grid_of(whole);
+	const unsigned how = how_it_lights(light, l->both_sides);
+	const struct light_grid grid = light_grid_of(l->worker, &l->target, whole);
 	rgb sum = rgb_grey(0);
 	for (int v = 0; v < light->area_count_v; v++) {
 		for (int u = 0; u < light->area_count_u; u++) {
-			const struct light_sample s =
-				light_grid_sample(l->worker, &l->target, &grid, u, v);
+			struct light_sample s;
 			struct brdf_value value;
-			if (brdf_eval(l->it, lobe, s.direction, how, &value))
-				sum = rgb_add(sum, brdf_reflect(l->worker, l->it, lobe, s.direction,
-							   &value, s.radiance, s.number));
+			light_grid_sample(l->worker, &l->target, &grid, u, v, &s);
+			if (brdf_eval(l->it, lobe, &s.direction, how, &value))
+				sum = rgb_add(
+					sum, brdf_reflect(l->worker, l->it, lobe, &s.direction,
+						     &value, s.radiance, s.number));
 		}
 	}
 	return sum;
 }
 
-/* What lobe number i sends on of all lights. */
-static rgb lobe_light(const struct lighting *l, size_t i)
+static void light_add(struct lighting *l, const struct light *light)
 {
-	const struct lobe *lobe = &l->layers->lobes[i];
-	rgb sum = rgb_grey(0);
-	for (size_t k = 0; k < l->count; k++) {
-		const struct light_sample *s = &l->samples[k];
-		const struct lit_lobe *lit = &l->lit[k * l->layers->count + i];
-		if (!lit->shows || rgb_is_dark(s->radiance))
+	struct light_sample s;
+	if (!light_matters(l, light, &s))
+		return;
+	light_arriving(l->worker, &l->target, &s, 1);
+	if (rgb_is_dark(s.radiance))
+		return;
+	for (struct lit_lobe *lit = l->lit; lit < l->end; lit++) {
+		if (!lit->shows)
 			continue;
-		sum = rgb_add(sum, light_is_spread(l->worker, s->light)
-					   ? grid_light(l, lobe, s)
-					   : brdf_reflect(l->worker, l->it, lobe, s->direction,
-						     &lit->value, s->radiance, s->number));
+		const rgb sent = light_is_spread(l->worker, light)
+					 ? grid_light(l, lit->lobe, &s)
+					 : brdf_reflect(l->worker, l->it, lit->lobe, &s.direction,
+						   &lit->value, s.radiance, s.number);
+		lit->sum = rgb_add(lit->sum, sent);
 	}
-	return sum;
+}
+
+/* All lights: those of the scene, and those of the groups the object is in. */
+static void lights_add(struct lighting *l)
+{
+	const struct scene *scene = l->worker->scene;
+	const struct object *object = l->it->object;
+	if (object->global_lights) {
+		for (size_t i = 0; i < scene->global_light_count; i++)
+			light_add(l, scene->global_lights[i]);
+	}
+	const struct light *const *group = object->extras ? object->extras->lights : NULL;
+	for (; group && *group; group++)
+		light_add(l, *group);
 }
 
 /* Ambient light and what the lobe emits. */
-static rgb own_light(const struct lighting *l, const struct lobe *lobe)
+static rgb own_light(const struct worker *w, const struct lobe *lobe)
 {
 	const struct finish *f = lobe->finish;
 	const rgb pigment = rgb_scale(lobe->pigment, lobe->own);
 	rgb light = rgb_grey(0);
 	if (!rgb_is_zero(f->ambient))
-		light = rgb_mul(
-			rgb_mul(pigment, f->ambient), l->worker->scene->settings.ambient_light);
+		light = rgb_mul(rgb_mul(pigment, f->ambient), w->scene->settings.ambient_light);
 	if (!rgb_is_zero(f->emission))
 		light = rgb_add(light, rgb_mul(pigment, f->emission));
 	return light;
 }
 
-static size_t group_light_count(const struct light *const *lights)
+/* Takes up the lobes that scatter light. */
+static void lobes_add(struct lighting *l, const struct layers *layers)
 {
-	size_t n = 0;
-	while (lights && lights[n])
-		n++;
-	return n;
-}
-
-/* Room for all lights of the object; what is there belongs to the part at hand. */
-static void lighting_begin(struct lighting *l, size_t lights)
-{
-	struct integrate_memory *m = l->worker->integrate;
-	if (m->sample_room < lights) {
-		m->sample_room = lights;
-		m->samples = memory_grow(m->samples, lights, sizeof *m->samples);
-	}
-	if (m->lit_room < lights * l->layers->count) {
-		m->lit_room = lights * l->layers->count;
-		m->lit = memory_grow(m->lit, m->lit_room, sizeof *m->lit);
-	}
-	l->samples = m->samples;
-	l->lit = m->lit;
-	l->count = 0;
-}
-
-/* Takes up the lights that matter and finds what arrives of them. */
-static void lighting_find(struct lighting *l)
-{
-	const struct scene *scene = l->worker->scene;
-	const struct object *object = l->it->object;
-	const struct light *const *group = object->extras ? object->extras->lights : NULL;
-	const size_t global_count = object->global_lights ? scene->global_light_count : 0;
-	const size_t group_count = group_light_count(group);
-	lighting_begin(l, global_count + group_count);
-	for (size_t i = 0; i < global_count; i++)
-		light_add(l, scene->global_lights[i]);
-	for (size_t i = 0; i < group_count; i++)
-		light_add(l, group[i]);
-	if (l->count > 0)
-		light_arriving(l->worker, &l->target, l->samples, l->count);
-}
-
-static bool some_lobe_scatters(const struct layers *layers)
-{
+	l->end = l->lit;
 	for (size_t i = 0; i < layers->count; i++) {
-		if (lobe_scatters(&layers->lobes[i]))
-			return true;
+		const struct lobe *lobe = &layers->lobes[i];
+		if (!lobe_scatters(lobe))
+			continue;
+		l->end->lobe = lobe;
+		l->end->has_back = l->both_sides || lobe->finish->diffuse_back != 0;
+		l->end->sum = rgb_grey(0);
+		l->end++;
 	}
-	return false;
 }
 
 rgb direct_light(struct worker *w, const struct path *path, const struct interaction *it,
 	const struct layers *layers)
 {
+	struct lit_lobe few[LOBES_FEW];
 	struct lighting l; /* field by field: a surface without lights needs few of them */
 	l.worker = w;
 	l.it = it;
-	l.layers = layers;
-	l.count = 0;
-	if (some_lobe_scatters(layers)) {
+	l.both_sides = it->object->double_illuminate;
+	l.lit = layers->count <= LOBES_FEW
+			? few
+			: ARENA_ARRAY(w->scratch, layers->count, struct lit_lobe);
+	lobes_add(&l, layers);
+	if (l.end > l.lit) {
 		l.target = (struct light_target){ it->surface.point, it->interiors,
 			(unsigned)path->level, it->vertex };
-		lighting_find(&l);
+		lights_add(&l);
 	}
 	rgb sum = rgb_grey(0);
+	const struct lit_lobe *lit = l.lit;
 	for (size_t i = 0; i < layers->count; i++) {
 		const struct lobe *lobe = &layers->lobes[i];
-		const rgb light = rgb_add(own_light(&l, lobe), lobe_light(&l, i));
+		rgb light = own_light(w, lobe);
+		if (lit < l.end && lit->lobe == lobe)
+			light = rgb_add(light, lit++->sum);
 		sum = rgb_add(sum, rgb_mul(lobe->weight, light));
 	}
 	return sum;

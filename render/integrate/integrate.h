@@ -30,10 +30,6 @@ struct path {
 struct integrate_memory {
 	unsigned width, height; /* of the picture */
 	struct interior_stack at_camera;
-	/* Of the interaction at hand: the lights that matter, and what each lobe makes of them. */
-	struct light_sample *samples;
-	struct lit_lobe *lit;
-	size_t sample_room, lit_room;
 };
 
 /* ---- trace.c ---- */

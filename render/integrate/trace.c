@@ -44,8 +44,6 @@ void worker_destroy(struct worker *w)
 		return;
 	surface_memory_destroy(w->surface);
 	light_memory_destroy(w->light);
-	free(w->integrate->samples);
-	free(w->integrate->lit);
 	free(w->integrate);
 	worker_finish(w);
 	free(w);

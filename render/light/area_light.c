@@ -18,6 +18,7 @@ struct grid {
 	const struct light *light;
 	const struct light_target *target;
 	struct area_axes axes;
+	struct sample_family jitter;
 	rgb radiance; /* of the light without shadow */
 };
 
@@ -33,14 +34,13 @@ struct area_axes area_light_axes(const struct light *light, vec3 to_centre)
 	return (struct area_axes){ vec_scale(u, size), vec_scale(v, size) };
 }
 
-/* The random numbers of a point belong to it alone, so those of one point are stratified over the
- * samples of a pixel, and how finely the grid is looked at stays independent of them. */
-static uint64_t point_dimension(
-	const struct light_target *target, const struct light *light, int u, int v)
+struct sample_family area_light_jitter(
+	const struct worker *w, const struct light_target *target, const struct light *light)
 {
+	if (!light->jitter)
+		return (struct sample_family){ 0 };
 	const uint64_t lights = sample_dimension(target->vertex, SAMPLE_AREA_LIGHT);
-	const uint64_t grid = sample_subdimension(lights, light->index);
-	return sample_subdimension(grid, (uint32_t)(v * light->area_count_u + u));
+	return sample_family(w->sample, sample_subdimension(lights, light->index));
 }
 
 static double grid_factor(double j, int count)
@@ -48,13 +48,15 @@ static double grid_factor(double j, int count)
 	return count > 1 ? j / (count - 1) - 0.5 : 0;
 }
 
-vec3 area_light_point(const struct worker *w, const struct light_target *target,
-	const struct light *light, const struct area_axes *axes, int u, int v)
+/* The points move independently of each other: how finely the grid is looked at depends on some of
+ * them and must say nothing of the others. */
+vec3 area_light_point(const struct light *light, const struct area_axes *axes,
+	const struct sample_family *jitter, int u, int v)
 {
 	double ju = u, jv = v;
 	if (light->jitter) {
 		const struct sample_pair by =
-			sample_2d(w->sample, point_dimension(target, light, u, v));
+			sample_member(jitter, (uint32_t)(v * light->area_count_u + u));
 		ju += by.u - 0.5;
 		jv += by.v - 0.5;
 	}
@@ -78,8 +80,11 @@ static rgb grid_point(const struct grid *g, int u, int v)
 	const struct light_memory *m = w->light;
 	struct grid_point *memo = &m->grid[(size_t)v * (size_t)g->light->area_count_u + (size_t)u];
 	if (memo->round != m->grid_round) {
-		const vec3 centre = area_light_point(w, g->target, g->light, &g->axes, u, v);
-		struct light_sample s = { .light = g->light, .radiance = g->radiance };
+		const vec3 centre = area_light_point(g->light, &g->axes, &g->jitter, u, v);
+		struct light_sample s;
+		s.light = g->light;
+		s.number = g->light->index;
+		s.radiance = g->radiance;
 		s.distance = light_direction(g->light, centre, g->target->point, &s.direction);
 		memo->radiance = shadow_filter(w, g->target, &s);
 		memo->round = m->grid_round;
@@ -130,7 +135,7 @@ rgb area_light_filter(
 {
 	const struct light *light = s->light;
 	const struct grid g = { w, light, target, area_light_axes(light, s->direction),
-		s->radiance };
+		area_light_jitter(w, target, light), s->radiance };
 	const size_t count = (size_t)light->area_count_u * (size_t)light->area_count_v;
 	grid_begin(w->light, count);
 	return grid_mean(&g, 0, 0, light->area_count_u - 1, light->area_count_v - 1, 0);

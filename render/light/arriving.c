@@ -42,23 +42,17 @@ static bool is_area(const struct worker *w, const struct light *light)
 	return light->area_count_u > 0 && w->scene->settings.quality >= 5;
 }
 
-bool light_is_spread(const struct worker *w, const struct light *light)
-{
-	return light->area_illumination && is_area(w, light);
-}
-
 /* The lights of a spread grid are attenuated one by one. */
-struct light_sample light_aim(const struct worker *w, const struct light *light, vec3 p)
+void light_aim(
+	const struct worker *w, const struct light *light, const vec3 *p, struct light_sample *s)
 {
-	struct light_sample s;
-	s.light = light;
-	s.number = light->index;
-	s.distance = light_direction(light, light->location, p, &s.direction);
-	s.radiance = light->colour;
+	s->light = light;
+	s->number = light->index;
+	s->distance = light_direction(light, light->location, *p, &s->direction);
+	s->radiance = light->colour;
 	if (light_attenuates(light) && !light_is_spread(w, light))
-		s.radiance =
-			rgb_scale(s.radiance, light_attenuation(light, p, s.direction, s.distance));
-	return s;
+		s->radiance = rgb_scale(
+			s->radiance, light_attenuation(light, p, &s->direction, s->distance));
 }
 
 void light_arriving(struct worker *w, const struct light_target *target,
@@ -75,24 +69,26 @@ void light_arriving(struct worker *w, const struct light_target *target,
 	}
 }
 
-struct light_grid light_grid_of(const struct light_sample *whole)
+struct light_grid light_grid_of(
+	const struct worker *w, const struct light_target *target, const struct light_sample *whole)
 {
 	const struct light *light = whole->light;
 	const int count = light->area_count_u * light->area_count_v;
 	return (struct light_grid){ whole, area_light_axes(light, whole->direction),
-		rgb_scale(whole->radiance, 1.0 / count) };
+		rgb_scale(whole->radiance, 1.0 / count), area_light_jitter(w, target, light) };
 }
 
-struct light_sample light_grid_sample(const struct worker *w, const struct light_target *target,
-	const struct light_grid *grid, int u, int v)
+void light_grid_sample(const struct worker *w, const struct light_target *target,
+	const struct light_grid *grid, int u, int v, struct light_sample *s)
 {
 	const struct light *light = grid->whole->light;
-	const vec3 centre = area_light_point(w, target, light, &grid->axes, u, v);
+	const vec3 centre = area_light_point(light, &grid->axes, &grid->jitter, u, v);
 	const uint32_t cell = (uint32_t)(v * light->area_count_u + u);
-	struct light_sample s = { .light = light,
-		.number = light->index + cell * (uint32_t)w->scene->light_count };
-	s.distance = light_direction(light, centre, target->point, &s.direction);
-	s.radiance = rgb_scale(
-		grid->share, light_attenuation(light, target->point, s.direction, s.distance));
-	return s;
+	s->light = light;
+	s->number = light->index + cell * (uint32_t)w->scene->light_count;
+	s->distance = light_direction(light, centre, target->point, &s->direction);
+	s->radiance = grid->share;
+	if (light_attenuates(light))
+		s->radiance = rgb_scale(s->radiance,
+			light_attenuation(light, &target->point, &s->direction, s->distance));
 }

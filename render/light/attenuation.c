@@ -24,7 +24,8 @@ double light_direction(const struct light *light, vec3 centre, vec3 p, vec3 *dir
 	return distance;
 }
 
-double light_attenuation(const struct light *light, vec3 p, vec3 direction, double distance)
+double light_attenuation(
+	const struct light *light, const vec3 *p, const vec3 *direction, double distance)
 {
 	double a = light->kind->cone ? light->kind->cone(light, p, direction, distance) : 1;
 	if (a > 0 && light->fade_power > 0 && fabs(light->fade_distance) > NEARLY_ZERO) {

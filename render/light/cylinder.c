@@ -6,10 +6,11 @@
 #include "cone.h"
 
 /* About the axis through the light itself, for all samples of an area light. */
-static double cylinder_cone(const struct light *light, vec3 p, vec3 direction, double distance)
+static double cylinder_cone(
+	const struct light *light, const vec3 *p, const vec3 *direction, double distance)
 {
 	(void)direction, (void)distance;
-	const vec3 from_light = vec_sub(p, light->location);
+	const vec3 from_light = vec_sub(*p, light->location);
 	const double along = vec_dot(from_light, light->axis);
 	if (along <= 0)
 		return 0;

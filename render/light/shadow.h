@@ -32,8 +32,11 @@ rgb shadow_filter(struct worker *, const struct light_target *, const struct lig
 rgb area_light_filter(struct worker *, const struct light_target *, const struct light_sample *);
 /* The axes of the light's grid seen from a point: square to the direction with `orient`. */
 struct area_axes area_light_axes(const struct light *, vec3 to_centre);
+/* The random numbers of its points. */
+struct sample_family area_light_jitter(
+	const struct worker *, const struct light_target *, const struct light *);
 /* Where the light of grid point (u, v) stands, with its own jitter. */
-vec3 area_light_point(const struct worker *, const struct light_target *, const struct light *,
-	const struct area_axes *, int u, int v);
+vec3 area_light_point(const struct light *, const struct area_axes *,
+	const struct sample_family *jitter, int u, int v);
 
 #endif

@@ -5,10 +5,11 @@
 #include "base/elementary.h"
 #include "cone.h"
 
-static double spotlight_cone(const struct light *light, vec3 p, vec3 direction, double distance)
+static double spotlight_cone(
+	const struct light *light, const vec3 *p, const vec3 *direction, double distance)
 {
 	(void)p;
-	const double along = vec_dot(direction, light->axis);
+	const double along = vec_dot(*direction, light->axis);
 	const double cosine = distance > 0 ? -along : along;
 	if (cosine <= 0)
 		return 0;

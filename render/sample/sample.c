@@ -8,13 +8,13 @@
  */
 #include "sample/sample.h"
 
+/* A number with its bits in reverse. */
 static uint32_t reverse_bits(uint32_t x)
 {
 	x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
 	x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
 	x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
-	x = (x & 0x00ff00ffu) << 8 | (x >> 8 & 0x00ff00ffu);
-	return x << 16 | x >> 16;
+	return __builtin_bswap32(x);
 }
 
 /* A permutation in which each bit depends on lower bits alone (Laine and Karras 2011). For one x it
@@ -37,9 +37,10 @@ static uint32_t scramble_reversed(uint32_t reversed, uint32_t seed)
 }
 
 /* The point a sample takes in the dimension of this seed. */
-static uint32_t point_number(uint32_t index, uint64_t seed)
+static uint32_t point_number(struct sample_id id, uint64_t seed)
 {
-	return scramble_reversed(reverse_bits(index), (uint32_t)random_mix(seed, 1));
+	const uint32_t of_order = (uint32_t)(seed >> 16) * 0x9e3779b1u;
+	return scramble_reversed(reverse_bits(id.index), of_order);
 }
 
 /* The second coordinate of Sobol's sequence, bits in reverse; the first is the index itself. The
@@ -62,13 +63,19 @@ static double unit(uint32_t x)
 double sample_1d(struct sample_id id, uint64_t dimension)
 {
 	const uint64_t seed = random_mix(id.pixel, dimension);
-	return unit(scramble_reversed(point_number(id.index, seed), (uint32_t)seed));
+	return unit(scramble_reversed(point_number(id, seed), (uint32_t)seed));
+}
+
+struct sample_family sample_family(struct sample_id id, uint64_t dimension)
+{
+	const uint64_t seed = random_mix(id.pixel, dimension);
+	const uint32_t number = point_number(id, seed);
+	return (struct sample_family){ seed, scramble_reversed(number, (uint32_t)seed),
+		scramble_reversed(sobol_reversed(number), (uint32_t)(seed >> 32)) };
 }
 
 struct sample_pair sample_2d(struct sample_id id, uint64_t dimension)
 {
-	const uint64_t seed = random_mix(id.pixel, dimension);
-	const uint32_t number = point_number(id.index, seed);
-	return (struct sample_pair){ unit(scramble_reversed(number, (uint32_t)seed)),
-		unit(scramble_reversed(sobol_reversed(number), (uint32_t)(seed >> 32))) };
+	const struct sample_family f = sample_family(id, dimension);
+	return (struct sample_pair){ unit(f.u), unit(f.v) };
 }

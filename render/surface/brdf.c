@@ -71,28 +71,32 @@ static double specular_response(const struct finish *f, vec3 v, vec3 normal, vec
 	return c > 0 ? f->specular * power_of(c, f->specular_power) : 0;
 }
 
-bool brdf_eval(const struct interaction *it, const struct lobe *lobe, vec3 direction, unsigned how,
-	struct brdf_value *out)
+static double highlight_response(const struct finish *f, vec3 v, vec3 normal, vec3 direction)
+{
+	double sum = 0;
+	if (f->phong > 0)
+		sum += phong_response(f, v, normal, direction);
+	if (f->specular > 0)
+		sum += specular_response(f, v, normal, direction);
+	return sum;
+}
+
+bool brdf_eval(const struct interaction *it, const struct lobe *lobe, const vec3 *direction,
+	unsigned how, struct brdf_value *out)
 {
 	const struct finish *f = lobe->finish;
-	const double cosine = vec_dot(lobe->normal, direction);
+	const double cosine = vec_dot(lobe->normal, *direction);
 	const bool behind = !(how & BRDF_BOTH_SIDES) && cosine < NEARLY_ZERO;
-	if (behind && f->diffuse_back == 0)
+	const double k = behind ? f->diffuse_back : f->diffuse;
+	if (behind && k == 0)
 		return false;
 
-	*out = (struct brdf_value){ .cosine = cosine };
-	const double k = behind ? f->diffuse_back : f->diffuse;
-	if (k > 0) {
-		out->diffuse = diffuse_response(f, k, cosine);
-		out->has_grain = f->crand > 0;
-	}
-	if (!behind && (how & BRDF_HIGHLIGHTS)) {
-		const vec3 v = it->surface.direction;
-		if (f->phong > 0)
-			out->highlight += phong_response(f, v, lobe->normal, direction);
-		if (f->specular > 0)
-			out->highlight += specular_response(f, v, lobe->normal, direction);
-	}
+	const bool shines = !behind && (how & BRDF_HIGHLIGHTS) && (f->phong > 0 || f->specular > 0);
+	out->cosine = cosine;
+	out->diffuse = k > 0 ? diffuse_response(f, k, cosine) : 0;
+	out->highlight =
+		shines ? highlight_response(f, it->surface.direction, lobe->normal, *direction) : 0;
+	out->has_grain = k > 0 && f->crand > 0;
 	return out->diffuse != 0 || out->highlight != 0 || out->has_grain;
 }
 
@@ -106,7 +110,7 @@ static double grain(const struct worker *w, const struct interaction *it, const 
 }
 
 rgb brdf_reflect(const struct worker *w, const struct interaction *it, const struct lobe *lobe,
-	vec3 direction, const struct brdf_value *value, rgb arriving, uint32_t light)
+	const vec3 *direction, const struct brdf_value *value, rgb arriving, uint32_t light)
 {
 	const struct finish *f = lobe->finish;
 	double diffuse = value->diffuse * lobe->own;
@@ -120,6 +124,6 @@ rgb brdf_reflect(const struct worker *w, const struct interaction *it, const str
 		sum = rgb_add(sum, rgb_scale(arriving, value->highlight));
 	}
 	if (f->irid > 0)
-		sum = rgb_mul(sum, irid_factor(w, it, lobe, direction));
+		sum = rgb_mul(sum, irid_factor(w, it, lobe, *direction));
 	return sum;
 }

@@ -29,7 +29,7 @@ static double arriving(const struct light *light, vec3 p)
 {
 	vec3 direction;
 	const double distance = light_direction(light, vec(0, 0, 0), p, &direction);
-	return light_attenuation(light, p, direction, distance);
+	return light_attenuation(light, &p, &direction, distance);
 }
 
 static vec3 off_axis(double degrees)

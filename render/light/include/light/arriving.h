@@ -31,24 +31,30 @@ struct light_sample {
 };
 
 /* The sample of a light without anything in its way. */
-struct light_sample light_aim(const struct worker *, const struct light *, vec3 p);
+void light_aim(const struct worker *, const struct light *, const vec3 *p, struct light_sample *);
 /* Takes from the samples of one target what is lost on the way. */
 void light_arriving(
 	struct worker *, const struct light_target *, struct light_sample *, size_t count);
 
 /* Whether each point of an area light's grid lights by itself, under one shadow: area_illumination. */
-bool light_is_spread(const struct worker *, const struct light *);
+static inline bool light_is_spread(const struct worker *w, const struct light *light)
+{
+	return light->area_illumination && light->area_count_u > 0 &&
+	       w->scene->settings.quality >= 5;
+}
 /* The points of its grid, for light that arrives of the whole. */
 struct light_grid {
 	const struct light_sample *whole;
 	struct area_axes {
 		vec3 u, v;
 	} axes;
-	rgb share; /* of each point */
+	rgb share;		     /* of each point */
+	struct sample_family jitter; /* of their places */
 };
-struct light_grid light_grid_of(const struct light_sample *);
-struct light_sample light_grid_sample(const struct worker *, const struct light_target *,
-	const struct light_grid *, int u, int v);
+struct light_grid light_grid_of(
+	const struct worker *, const struct light_target *, const struct light_sample *);
+void light_grid_sample(const struct worker *, const struct light_target *,
+	const struct light_grid *, int u, int v, struct light_sample *);
 
 struct light_memory *light_memory_create(const struct worker *);
 void light_memory_destroy(struct light_memory *);

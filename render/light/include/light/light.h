@@ -17,7 +17,7 @@ struct light_class {
 	double radius, falloff;
 	/* The share of light inside the cone, at p, for a light `distance` away in `direction`. NULL
 	 * without a cone. */
-	double (*cone)(const struct light *, vec3 p, vec3 direction, double distance);
+	double (*cone)(const struct light *, const vec3 *p, const vec3 *direction, double distance);
 };
 
 /* The class of a word, or NULL. */
@@ -32,6 +32,7 @@ static inline bool light_attenuates(const struct light *light)
 	return light->kind->cone || light->fade_power > 0;
 }
 /* What they leave of it. */
-double light_attenuation(const struct light *, vec3 p, vec3 direction, double distance);
+double light_attenuation(
+	const struct light *, const vec3 *p, const vec3 *direction, double distance);
 
 #endif

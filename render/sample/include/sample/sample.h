@@ -30,7 +30,7 @@ struct sample_id {
 static inline struct sample_id sample_at(uint32_t frame, struct sample_place place)
 {
 	const uint64_t pixel = (uint64_t)(uint32_t)place.x << 32 | (uint32_t)place.y;
-	return (struct sample_id){ random_mix(random_mix(frame, pixel), frame), place.index };
+	return (struct sample_id){ random_mix(frame * 0x9e3779b97f4a7c15u, pixel), place.index };
 }
 
 /* What random numbers are for. */
@@ -41,7 +41,7 @@ enum sample_purpose { SAMPLE_GRAIN, SAMPLE_AREA_LIGHT };
 /* The vertex that this ray from a vertex leads to. */
 static inline uint32_t sample_vertex(uint32_t vertex, uint32_t number)
 {
-	return (uint32_t)random_mix(vertex, number);
+	return (vertex + number + 1) * 0x9e3779b1u; /* names are hashed when they are used */
 }
 
 /* The dimension of a purpose at a vertex of the ray tree. */
@@ -62,5 +62,19 @@ struct sample_pair {
 	double u, v;
 };
 struct sample_pair sample_2d(struct sample_id, uint64_t dimension);
+
+/* Many pairs at a time, for points of a grid: members are copies of one pair under shifts of their
+ * own. Each by itself is as good as the pair, and the members are independent of each other. */
+struct sample_family {
+	uint64_t seed;
+	uint32_t u, v;
+};
+struct sample_family sample_family(struct sample_id, uint64_t dimension);
+static inline struct sample_pair sample_member(const struct sample_family *f, uint32_t number)
+{
+	const uint64_t shift = random_mix(f->seed, number);
+	return (struct sample_pair){ (f->u ^ (uint32_t)shift) * 0x1p-32,
+		(f->v ^ (uint32_t)(shift >> 32)) * 0x1p-32 };
+}
 
 #endif

@@ -44,11 +44,11 @@ struct brdf_value {
 	bool has_grain; /* crand */
 };
 /* False: nothing. `direction` leads to the light, `how` has bits of enum brdf_light. */
-bool brdf_eval(const struct interaction *, const struct lobe *, vec3 direction, unsigned how,
+bool brdf_eval(const struct interaction *, const struct lobe *, const vec3 *direction, unsigned how,
 	struct brdf_value *);
 /* The light sent to the viewer of `arriving`. `light` numbers the light, for random numbers. */
 rgb brdf_reflect(const struct worker *, const struct interaction *, const struct lobe *,
-	vec3 direction, const struct brdf_value *, rgb arriving, uint32_t light);
+	const vec3 *direction, const struct brdf_value *, rgb arriving, uint32_t light);
 
 /* Colour shift of metallic highlights and reflections: 1 + metallic (1 - Fr)(pigment - 1). */
 rgb metallic_factor(float metallic, rgb pigment, double cosine);
