@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Lobes: the ways a surface sends light on. A lobe is one layer of a texture at
- * one point. Light from a direction is answered by brdf_eval and brdf_reflect,
- * whoever sends the light;
- * lobe_mirror gives the one direction of its mirror.
+ * one point. brdf_eval and brdf_reflect answer light from a direction, whoever
+ * sends it; a lobe that is a mirror, too, takes `mirror` of the light from its
+ * mirror_direction (specular.h).
  */
 #ifndef LAMBERT_SURFACE_BRDF_H
 #define LAMBERT_SURFACE_BRDF_H
