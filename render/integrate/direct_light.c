@@ -58,8 +58,7 @@ static bool light_matters(struct lighting *l, const struct light *light, struct 
 		if (is_behind(l, lit, light))
 			continue;
 		if (!is_aimed) {
-			light_aim(l->worker, light, &l->target.point, s);
-			if (rgb_is_dark(s->radiance))
+			if (!light_aim(l->worker, light, &l->target.point, s))
 				return false;
 			is_aimed = true;
 		}

@@ -43,16 +43,18 @@ static bool is_area(const struct worker *w, const struct light *light)
 }
 
 /* The lights of a spread grid are attenuated one by one. */
-void light_aim(
+bool light_aim(
 	const struct worker *w, const struct light *light, const vec3 *p, struct light_sample *s)
 {
 	s->light = light;
 	s->number = light->index;
 	s->distance = light_direction(light, light->location, *p, &s->direction);
 	s->radiance = light->colour;
-	if (light_attenuates(light) && !light_is_spread(w, light))
-		s->radiance = rgb_scale(
-			s->radiance, light_attenuation(light, p, &s->direction, s->distance));
+	if (!light_attenuates(light) || light_is_spread(w, light))
+		return true;
+	s->radiance =
+		rgb_scale(s->radiance, light_attenuation(light, p, &s->direction, s->distance));
+	return !rgb_is_dark(s->radiance);
 }
 
 void light_arriving(struct worker *w, const struct light_target *target,

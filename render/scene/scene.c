@@ -67,7 +67,7 @@ static void number_lights(struct scene *scene)
 	for (size_t i = 0; i < scene->light_count; i++) {
 		struct light *light = scene->lights[i];
 		light->index = (uint32_t)i;
-		if (!light->group_only)
+		if (!light->group_only && !rgb_is_dark(light->colour))
 			scene->global_lights[scene->global_light_count++] = light;
 	}
 }

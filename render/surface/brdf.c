@@ -48,12 +48,6 @@ rgb irid_factor(const struct worker *w, const struct interaction *it, const stru
 		(float)(1 + f->irid * elementary_cos(phase / wavelength.b)) };
 }
 
-static double diffuse_response(const struct finish *f, double k, double cosine)
-{
-	const double c = fabs(cosine);
-	return k * (f->brilliance == 1 ? c : power_of(c, f->brilliance));
-}
-
 static double phong_response(const struct finish *f, vec3 v, vec3 normal, vec3 direction)
 {
 	const vec3 mirrored = vec_mad(v, -2 * vec_dot(v, normal), normal);
@@ -71,59 +65,22 @@ static double specular_response(const struct finish *f, vec3 v, vec3 normal, vec
 	return c > 0 ? f->specular * power_of(c, f->specular_power) : 0;
 }
 
-static double highlight_response(const struct finish *f, vec3 v, vec3 normal, vec3 direction)
+double brdf_highlight(const struct interaction *it, const struct lobe *lobe, const vec3 *direction)
 {
+	const struct finish *f = lobe->finish;
+	const vec3 v = it->surface.direction;
 	double sum = 0;
 	if (f->phong > 0)
-		sum += phong_response(f, v, normal, direction);
+		sum += phong_response(f, v, lobe->normal, *direction);
 	if (f->specular > 0)
-		sum += specular_response(f, v, normal, direction);
+		sum += specular_response(f, v, lobe->normal, *direction);
 	return sum;
 }
 
-bool brdf_eval(const struct interaction *it, const struct lobe *lobe, const vec3 *direction,
-	unsigned how, struct brdf_value *out)
-{
-	const struct finish *f = lobe->finish;
-	const double cosine = vec_dot(lobe->normal, *direction);
-	const bool behind = !(how & BRDF_BOTH_SIDES) && cosine < NEARLY_ZERO;
-	const double k = behind ? f->diffuse_back : f->diffuse;
-	if (behind && k == 0)
-		return false;
-
-	const bool shines = !behind && (how & BRDF_HIGHLIGHTS) && (f->phong > 0 || f->specular > 0);
-	out->cosine = cosine;
-	out->diffuse = k > 0 ? diffuse_response(f, k, cosine) : 0;
-	out->highlight =
-		shines ? highlight_response(f, it->surface.direction, lobe->normal, *direction) : 0;
-	out->has_grain = k > 0 && f->crand > 0;
-	return out->diffuse != 0 || out->highlight != 0 || out->has_grain;
-}
-
-/* A random share of each light's light is missing, by lobe. */
-static double grain(const struct worker *w, const struct interaction *it, const struct lobe *lobe,
+double brdf_grain(const struct worker *w, const struct interaction *it, const struct lobe *lobe,
 	uint32_t light)
 {
 	const uint64_t grain = sample_dimension(it->vertex, SAMPLE_GRAIN);
 	const uint64_t of_lobe = sample_subdimension(grain, lobe->number);
 	return lobe->finish->crand * sample_1d(w->sample, sample_subdimension(of_lobe, light));
-}
-
-rgb brdf_reflect(const struct worker *w, const struct interaction *it, const struct lobe *lobe,
-	const vec3 *direction, const struct brdf_value *value, rgb arriving, uint32_t light)
-{
-	const struct finish *f = lobe->finish;
-	double diffuse = value->diffuse * lobe->own;
-	if (value->has_grain)
-		diffuse -= grain(w, it, lobe, light);
-	rgb sum = rgb_scale(rgb_mul(lobe->pigment, arriving), diffuse);
-	if (value->highlight != 0) {
-		if (f->metallic > 0)
-			arriving = rgb_mul(arriving,
-				metallic_factor(f->metallic, lobe->pigment, value->cosine));
-		sum = rgb_add(sum, rgb_scale(arriving, value->highlight));
-	}
-	if (f->irid > 0)
-		sum = rgb_mul(sum, irid_factor(w, it, lobe, *direction));
-	return sum;
 }

@@ -95,7 +95,7 @@ static rgb arriving(const struct setting *s, vec3 p)
 	const struct interior_stack none = { 0 };
 	const struct light_target target = { .point = p, .interiors = &none };
 	struct light_sample sample;
-	light_aim(s->worker, s->light, &p, &sample);
+	assert_true(light_aim(s->worker, s->light, &p, &sample));
 	light_arriving(s->worker, &target, &sample, 1);
 	return sample.radiance;
 }

@@ -30,8 +30,8 @@ struct light_sample {
 	uint32_t number; /* of the light, among all that light the target */
 };
 
-/* The sample of a light without anything in its way. */
-void light_aim(const struct worker *, const struct light *, const vec3 *p, struct light_sample *);
+/* The sample of a light without anything in its way; false: cone and distance leave nothing. */
+bool light_aim(const struct worker *, const struct light *, const vec3 *p, struct light_sample *);
 /* Takes from the samples of one target what is lost on the way. */
 void light_arriving(
 	struct worker *, const struct light_target *, struct light_sample *, size_t count);

@@ -104,7 +104,7 @@ struct scene {
 
 	/* made by scene_commit */
 	struct accel *accel;
-	const struct light **global_lights; /* those that are in no group */
+	const struct light **global_lights; /* those in no group; without black ones */
 	size_t global_light_count;
 	bool has_tinted_shadows; /* some object casts a shadow that is not opaque */
 };
