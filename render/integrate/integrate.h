@@ -46,7 +46,7 @@ struct radiance shade_hit(
 
 /* ---- direct_light.c ---- */
 
-/* What the lobes of a part send on of the light of all lights, with the light `own` of each lobe. */
+/* What the lobes of a part send on of all lights, and what they send by themselves. */
 rgb direct_light(
 	struct worker *, const struct path *, const struct interaction *, const struct layers *);
 

@@ -55,15 +55,10 @@ static uint32_t sobol_reversed(uint32_t index)
 	return index;
 }
 
-static double unit(uint32_t x)
-{
-	return x * 0x1p-32;
-}
-
 double sample_1d(struct sample_id id, uint64_t dimension)
 {
 	const uint64_t seed = random_mix(id.pixel, dimension);
-	return unit(scramble_reversed(point_number(id, seed), (uint32_t)seed));
+	return sample_unit(scramble_reversed(point_number(id, seed), (uint32_t)seed));
 }
 
 struct sample_family sample_family(struct sample_id id, uint64_t dimension)
@@ -77,5 +72,5 @@ struct sample_family sample_family(struct sample_id id, uint64_t dimension)
 struct sample_pair sample_2d(struct sample_id id, uint64_t dimension)
 {
 	const struct sample_family f = sample_family(id, dimension);
-	return (struct sample_pair){ unit(f.u), unit(f.v) };
+	return (struct sample_pair){ sample_unit(f.u), sample_unit(f.v) };
 }

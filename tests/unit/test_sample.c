@@ -208,6 +208,53 @@ static void dimensions_of_a_pixel_are_independent(void **unused)
 	assert_true(correlation / 10000 < 2.2);
 }
 
+/* Reflections count upwards and transmissions downwards: no two vertices of a tree are one. */
+enum { RAYS = 5, DEPTH = 5, VERTICES = 3906 };
+
+static size_t grow_tree(uint32_t vertex, int depth, uint32_t *all, size_t count)
+{
+	const uint32_t rays[RAYS] = { 0, 1, 2, UINT32_MAX, UINT32_MAX - 1 };
+	all[count++] = vertex;
+	for (int i = 0; i < RAYS && depth < DEPTH; i++)
+		count = grow_tree(sample_vertex(vertex, rays[i]), depth + 1, all, count);
+	return count;
+}
+
+static void vertices_of_a_tree_differ(void **unused)
+{
+	(void)unused;
+	uint32_t all[VERTICES];
+	assert_int_equal(grow_tree(SAMPLE_CAMERA_VERTEX, 0, all, 0), VERTICES);
+	for (size_t i = 0; i < VERTICES; i++) {
+		for (size_t k = 0; k < i; k++)
+			assert_true(all[i] != all[k]);
+	}
+}
+
+/* Members are uniform, independent of each other within one sample, and each is stratified. */
+static void families_are_as_good_as_pairs(void **unused)
+{
+	(void)unused;
+	struct histogram one = { 0 }, two = { 0 };
+	for (int i = 0; i < DRAWS; i++) {
+		const struct sample_family f =
+			sample_family(id_of(0, i % 320, i / 320, 2), some_dimension());
+		const struct sample_pair a = sample_member(&f, 3), b = sample_member(&f, 4);
+		count(&one, a.u, a.v);
+		count(&two, a.u, b.u);
+	}
+	assert_even(&one);
+	assert_even(&two);
+	bool taken[16] = { false };
+	for (uint32_t i = 0; i < 16; i++) {
+		const struct sample_family f = sample_family(id_of(0, 4, 5, i), some_dimension());
+		const struct sample_pair p = sample_member(&f, 7);
+		bool *cell = &taken[(int)(4 * p.u) * 4 + (int)(4 * p.v)];
+		assert_false(*cell);
+		*cell = true;
+	}
+}
+
 static void a_name_is_a_number(void **unused)
 {
 	(void)unused;
@@ -226,6 +273,8 @@ int main(void)
 		cmocka_unit_test(averages_are_better_than_by_chance),
 		cmocka_unit_test(names_are_independent),
 		cmocka_unit_test(dimensions_of_a_pixel_are_independent),
+		cmocka_unit_test(vertices_of_a_tree_differ),
+		cmocka_unit_test(families_are_as_good_as_pairs),
 		cmocka_unit_test(a_name_is_a_number),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -42,17 +42,20 @@ static inline bool light_is_spread(const struct worker *w, const struct light *l
 	return light->area_illumination && light->area_count_u > 0 &&
 	       w->scene->settings.quality >= 5;
 }
-/* The points of its grid, for light that arrives of the whole. */
+/* How the grid of an area light stands. */
+struct area_axes {
+	vec3 u, v;
+};
+/* Such a grid, for the light that arrives of the whole. */
 struct light_grid {
 	const struct light_sample *whole;
-	struct area_axes {
-		vec3 u, v;
-	} axes;
+	struct area_axes axes;
 	rgb share;		     /* of each point */
 	struct sample_family jitter; /* of their places */
 };
 struct light_grid light_grid_of(
 	const struct worker *, const struct light_target *, const struct light_sample *);
+/* What point (u, v) of the grid sends. */
 void light_grid_sample(const struct worker *, const struct light_target *,
 	const struct light_grid *, int u, int v, struct light_sample *);
 

@@ -36,12 +36,12 @@ static inline struct sample_id sample_at(uint32_t frame, struct sample_place pla
 /* What random numbers are for. */
 enum sample_purpose { SAMPLE_GRAIN, SAMPLE_AREA_LIGHT };
 
-/* The vertex of the ray tree that camera rays end at. */
-#define SAMPLE_CAMERA_VERTEX 0u
-/* The vertex that this ray from a vertex leads to. */
+/* The vertex of the ray tree that camera rays end at; no small number leads from it to 0. */
+#define SAMPLE_CAMERA_VERTEX 0x2545f491u
+/* The vertex that ray `number` from a vertex leads to. A vertex is hashed when it names something. */
 static inline uint32_t sample_vertex(uint32_t vertex, uint32_t number)
 {
-	return (vertex + number + 1) * 0x9e3779b1u; /* names are hashed when they are used */
+	return (vertex + number + 1) * 0x9e3779b1u;
 }
 
 /* The dimension of a purpose at a vertex of the ray tree. */
@@ -55,6 +55,11 @@ static inline uint64_t sample_subdimension(uint64_t dimension, uint32_t number)
 	return random_mix(dimension, number);
 }
 
+/* In [0, 1). */
+static inline double sample_unit(uint32_t bits)
+{
+	return bits * 0x1p-32;
+}
 /* Uniform in [0, 1). */
 double sample_1d(struct sample_id, uint64_t dimension);
 /* Uniform in the unit square. */
@@ -73,8 +78,8 @@ struct sample_family sample_family(struct sample_id, uint64_t dimension);
 static inline struct sample_pair sample_member(const struct sample_family *f, uint32_t number)
 {
 	const uint64_t shift = random_mix(f->seed, number);
-	return (struct sample_pair){ (f->u ^ (uint32_t)shift) * 0x1p-32,
-		(f->v ^ (uint32_t)(shift >> 32)) * 0x1p-32 };
+	return (struct sample_pair){ sample_unit(f->u ^ (uint32_t)shift),
+		sample_unit(f->v ^ (uint32_t)(shift >> 32)) };
 }
 
 #endif

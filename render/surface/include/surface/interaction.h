@@ -19,7 +19,7 @@ struct interaction {
 	uint32_t vertex;			/* of the ray tree: names random numbers */
 	struct texture_part *parts;		/* plain textures, blended by weight */
 	size_t part_count;
-	struct texture_part whole; /* the only part of a plain texture */
+	struct texture_part whole; /* the only part of a plain texture; `parts` leads here */
 };
 
 /* Fills in what is at a hit of a ray that came through these interiors to this vertex. The parts are
