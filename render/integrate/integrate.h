@@ -7,7 +7,7 @@
 #define LAMBERT_INTEGRATE_INTEGRATE_H
 
 #include "integrate/trace.h"
-#include "light/arriving.h"
+#include "arriving/arriving.h"
 #include "surface/transmission.h"
 
 /* What comes along a ray. */

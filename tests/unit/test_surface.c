@@ -4,7 +4,7 @@
  * illumination model, the rules for layers, and light arriving at a point.
  */
 #include "integrate/trace.h"
-#include "light/arriving.h"
+#include "arriving/arriving.h"
 #include "surface/transmission.h"
 
 #include "geometry/shape.h"

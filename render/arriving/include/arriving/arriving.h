@@ -6,8 +6,8 @@
  * First light_aim for each light, which is quick; the caller drops what would not
  * matter. Then light_arriving for all that are left at once.
  */
-#ifndef LAMBERT_LIGHT_ARRIVING_H
-#define LAMBERT_LIGHT_ARRIVING_H
+#ifndef LAMBERT_ARRIVING_ARRIVING_H
+#define LAMBERT_ARRIVING_ARRIVING_H
 
 #include "light/light.h"
 #include "medium/interior_stack.h"

@@ -4,7 +4,7 @@
  * then shadows. By quality there are no shadows below 4, and area lights are
  * points below 5.
  */
-#include "light/arriving.h"
+#include "arriving/arriving.h"
 
 #include "medium/fog.h"
 #include "shadow.h"

@@ -2,10 +2,10 @@
 /*
  * What the files of the room share: memory, shadow rays, points of area lights.
  */
-#ifndef LAMBERT_LIGHT_SHADOW_H
-#define LAMBERT_LIGHT_SHADOW_H
+#ifndef LAMBERT_ARRIVING_SHADOW_H
+#define LAMBERT_ARRIVING_SHADOW_H
 
-#include "light/arriving.h"
+#include "arriving/arriving.h"
 
 /* Levels of the ray tree whose shadows are remembered apart: neighbouring camera rays are alike, and
  * so are their reflections. */
