@@ -128,6 +128,7 @@ void setup_scene(struct options *o, struct messages *messages, const struct fram
 	if (options_set(o, "Version"))
 		s->version = (unsigned)lround(clamp_float(100 * o->version, 100, 10000));
 	s->quality = clamp(o->quality, 0, 9);
+	s->frame = (unsigned)frame;
 	s->output_alpha = o->output_alpha;
 	s->threads = (unsigned)o->threads;
 	s->no_file_io = o->no_file_io;

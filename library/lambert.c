@@ -212,6 +212,7 @@ static void lowering_begin(struct reading *r)
 		.width = o->width,
 		.height = o->height,
 		.quality = o->quality,
+		.frame = o->frame,
 		.output_alpha = o->output_alpha,
 		.working_version = (int)o->version,
 		.files = &r->files,

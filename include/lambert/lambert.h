@@ -81,6 +81,7 @@ struct lambert_scene_options {
 	bool clock_on;
 	unsigned version; /* language version in hundredths, 0: not given */
 	int quality;	  /* 0 to 9; 9 */
+	unsigned frame;	  /* of an animation: each has noise of its own; 0 */
 	bool output_alpha;
 	unsigned threads;  /* 0: as many as processors */
 	double loop_limit; /* tokens after which loops are taken for endless; 2e10, 0: none */

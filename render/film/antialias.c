@@ -45,12 +45,13 @@ static struct sample sample_of(const struct sampler *s, colour c)
 	return out;
 }
 
-static struct sample draw(struct sampler *s, double x, double y)
+/* The first sample of a pixel: its centre, moved both ways by `shift`. */
+static struct sample draw(struct sampler *s, int32_t x, int32_t y, double shift)
 {
-	return sample_of(s, s->source(s->user, x, y));
+	return sample_of(
+		s, s->source(s->user, x + shift, y + shift, (struct sample_place){ x, y, 0 }));
 }
 
-/* The sample that belongs to (x, y), drawn at a displaced position. */
 /* Truncates toward zero; positions are a few pixels outside a picture at most. */
 static uint32_t lattice(double v)
 {
@@ -69,14 +70,15 @@ void sample_jitter(double x, double y, double out[2])
 	out[1] = jitter_entry(lattice(1019 * x), lattice(1021 * y));
 }
 
-static colour trace_jittered(struct sampler *s, double x, double y)
+/* The sample that belongs to (x, y), drawn at a displaced position. */
+static colour trace_jittered(struct sampler *s, double x, double y, struct sample_place place)
 {
 	if (s->jitter > 0) {
 		double by[2];
 		sample_jitter(x, y, by);
-		return s->source(s->user, x + by[0] * s->jitter, y + by[1] * s->jitter);
+		return s->source(s->user, x + by[0] * s->jitter, y + by[1] * s->jitter, place);
 	}
-	return s->source(s->user, x, y);
+	return s->source(s->user, x, y, place);
 }
 
 /* NaN counts as equal. */
@@ -121,7 +123,8 @@ static void block_plain(struct sampler *s, struct film *film, struct block b)
 {
 	for (unsigned y = b.top; y < b.bottom && !is_cancelled(s); y++) {
 		for (unsigned x = b.left; x < b.right; x++)
-			*film_pixel(film, x, y) = s->source(s->user, x, y);
+			*film_pixel(film, x, y) = s->source(
+				s->user, x, y, (struct sample_place){ (int32_t)x, (int32_t)y, 0 });
 	}
 }
 
@@ -133,11 +136,14 @@ static void supersample(struct sampler *s, struct sample *pixel, double x, doubl
 	const int n = s->settings.depth;
 	const double step = 1.0 / n;
 	colour sum = pixel->colour;
+	struct sample_place place = { (int32_t)x, (int32_t)y, 0 };
 	double oy = -0.5 + 0.5 * step;
 	for (int i = 0; i < n; i++, oy += step) {
 		double ox = -0.5 + 0.5 * step;
-		for (int j = 0; j < n; j++, ox += step)
-			sum = add(sum, trace_jittered(s, x + ox, y + oy));
+		for (int j = 0; j < n; j++, ox += step) {
+			place.index++;
+			sum = add(sum, trace_jittered(s, x + ox, y + oy, place));
+		}
 	}
 	*pixel = sample_of(s, divide(sum, (float)(n * n + 1)));
 	pixel->fine = true;
@@ -161,12 +167,12 @@ static void draw_border(struct sampler *s, struct block b, size_t stride)
 {
 	for (unsigned x = b.left; x < b.right; x++) {
 		struct sample *border = &s->samples[1 + x - b.left];
-		*border = draw(s, x, (double)b.top - 1);
+		*border = draw(s, (int32_t)x, (int32_t)b.top - 1, 0);
 		border->fine = true;
 	}
 	for (unsigned y = b.top; y < b.bottom; y++) {
 		struct sample *border = &s->samples[(1 + y - b.top) * stride];
-		*border = draw(s, (double)b.left - 1, y);
+		*border = draw(s, (int32_t)b.left - 1, (int32_t)y, 0);
 		border->fine = true;
 	}
 }
@@ -205,7 +211,7 @@ static void block_flat(struct sampler *s, struct film *film, struct block whole,
 			return;
 		struct sample *row = &s->samples[(1 + y - b.top) * stride + 1];
 		for (unsigned x = b.left; x < b.right; x++) {
-			row[x - b.left] = draw(s, x, y);
+			row[x - b.left] = draw(s, (int32_t)x, (int32_t)y, 0);
 			refine(s, &row[x - b.left], stride, x, y);
 		}
 	}
@@ -233,8 +239,9 @@ static const struct sample *grid_sample(
 	if (s->drawn[at] != s->pixel) {
 		const double step = 1.0 / (side - 1);
 		s->drawn[at] = s->pixel;
-		s->grid[at] =
-			sample_of(s, trace_jittered(s, c->left + x * step, c->top + y * step));
+		s->place.index++;
+		s->grid[at] = sample_of(
+			s, trace_jittered(s, c->left + x * step, c->top + y * step, s->place));
 	}
 	return &s->grid[at];
 }
@@ -272,6 +279,7 @@ static colour pixel_from_corners(struct sampler *s, const struct sample *upper,
 		(size_t)size * (size + 1) + size };
 	const struct sample *const corners[4] = { upper, upper + 1, lower, lower + 1 };
 	s->pixel++;
+	s->place = (struct sample_place){ (int32_t)x, (int32_t)y, 0 };
 	for (int i = 0; i < 4; i++) {
 		s->grid[at[i]] = *corners[i];
 		s->drawn[at[i]] = s->pixel;
@@ -285,7 +293,8 @@ static void block_recursive(struct sampler *s, struct film *film, struct block b
 	make_room(s, b);
 	for (unsigned y = b.top; y <= b.bottom; y++) {
 		for (unsigned x = b.left; x <= b.right; x++)
-			s->samples[(y - b.top) * stride + x - b.left] = draw(s, x - 0.5, y - 0.5);
+			s->samples[(y - b.top) * stride + x - b.left] =
+				draw(s, (int32_t)x, (int32_t)y, -0.5);
 	}
 	for (unsigned y = b.top; y < b.bottom; y++) {
 		if (is_cancelled(s))

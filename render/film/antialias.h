@@ -18,7 +18,7 @@ struct sample {
 };
 
 /* The colour at (x, y) in pixel units, as trace_sample gives it. */
-typedef colour sample_source(void *user, double x, double y);
+typedef colour sample_source(void *user, double x, double y, struct sample_place);
 
 /* One thread's sampling of blocks. */
 struct sampler {
@@ -29,12 +29,13 @@ struct sampler {
 	struct antialias settings;
 	bool encodes, decodes_srgb; /* how comparisons see colours */
 	struct power_curve srgb, gamma;
-	double jitter;		/* displacement at most, in pixels */
-	struct sample *samples; /* of the block: pixel centres or corners, and a border */
-	size_t room;		/* for so many */
-	struct sample *grid;	/* method 2: of the pixel in hand */
-	uint32_t *drawn;	/* the pixel a sample of the grid was drawn for */
-	uint32_t pixel;		/* counts pixels */
+	double jitter;		   /* displacement at most, in pixels */
+	struct sample *samples;	   /* of the block: pixel centres or corners, and a border */
+	size_t room;		   /* for so many */
+	struct sample *grid;	   /* method 2: of the pixel in hand */
+	uint32_t *drawn;	   /* the pixel a sample of the grid was drawn for */
+	uint32_t pixel;		   /* counts pixels */
+	struct sample_place place; /* method 2: of the last sample drawn in that pixel */
 };
 
 void sampler_init(struct sampler *, const struct antialias *, const struct working_space *,

@@ -51,9 +51,9 @@ struct session {
 	atomic_bool stop;
 };
 
-static colour sample_worker(void *worker, double x, double y)
+static colour sample_worker(void *worker, double x, double y, struct sample_place place)
 {
-	return trace_sample(worker, x, y);
+	return trace_sample(worker, x, y, place);
 }
 
 /* The last block of a row or column ends with the picture. */
@@ -165,7 +165,7 @@ bool film_expose(struct film *film, const struct scene *scene, const struct expo
 	pthread_mutex_destroy(&s.lock);
 	for (unsigned i = 0; i < threads; i++) {
 		if (stats)
-			add_stats(stats, worker_stats(s.workers[i]));
+			add_stats(stats, &s.workers[i]->stats);
 		worker_destroy(s.workers[i]);
 		sampler_finish(&s.samplers[i]);
 	}

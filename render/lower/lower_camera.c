@@ -11,7 +11,7 @@
 #define RADIANS_PER_DEGREE 0.017453292519943296
 
 struct camera_items {
-	enum camera_type type;
+	const struct camera_class *kind;
 	vec3 location, right, up, direction, sky, look_at;
 	bool has_right, has_up, has_angle, has_look_at;
 	double angle;
@@ -20,7 +20,6 @@ struct camera_items {
 };
 
 static const struct camera_items camera_defaults = {
-	.type = CAMERA_PERSPECTIVE,
 	.right = { 1.33, 0, 0 },
 	.up = { 0, 1, 0 },
 	.direction = { 0, 0, 1 },
@@ -88,13 +87,12 @@ static void read_angle(struct lowering *l, const struct node *n, struct camera_i
 /* Takes one item; false: it is not one that every camera has. */
 static bool read_item(struct lowering *l, const struct node *item, struct camera_items *c)
 {
+	const struct camera_class *kind = camera_find(keyword_name(item->keyword));
+	if (kind) {
+		c->kind = kind;
+		return true;
+	}
 	switch (item->keyword) {
-	case K_PERSPECTIVE:
-		c->type = CAMERA_PERSPECTIVE;
-		return true;
-	case K_ORTHOGRAPHIC:
-		c->type = CAMERA_ORTHOGRAPHIC;
-		return true;
 	case K_LOCATION:
 		c->location = lower_vector(l, item, 0, "a point");
 		return true;
@@ -173,7 +171,7 @@ static void read_in_fixed_order(struct lowering *l, const struct node *n, struct
 		apply_angle(c);
 	if (c->has_look_at)
 		apply_look_at(l, n, c);
-	if (c->type == CAMERA_ORTHOGRAPHIC && (c->has_angle || (!c->has_right && !c->has_up)))
+	if (c->kind->is_parallel && (c->has_angle || (!c->has_right && !c->has_up)))
 		apply_orthographic(c);
 	/* Done: a reference to this camera only adds transformations. */
 	c->has_angle = c->has_look_at = false;
@@ -197,7 +195,7 @@ static void read_in_written_order(struct lowering *l, const struct node *n, stru
 			const transform t = lower_transform(l, item);
 			transform_now(c, &t);
 		} else if (read_item(l, item, c)) {
-			if (item->keyword == K_ANGLE && c->type == CAMERA_PERSPECTIVE)
+			if (item->keyword == K_ANGLE && !c->kind->is_parallel)
 				apply_angle(c);
 			else if (item->keyword == K_LOOK_AT)
 				apply_look_at(l, item, c);
@@ -252,7 +250,7 @@ static void place_camera(struct lowering *l, const struct node *n, const struct 
 		diag_warning(l->diag, n->span,
 			"camera: right, up and direction are not perpendicular: the picture is "
 			"sheared; look_at would turn all of them");
-	l->scene->camera = (struct camera){ .type = c.type,
+	l->scene->camera = (struct camera){ .kind = c.kind,
 		.location = c.location,
 		.right = c.right,
 		.up = c.up,
@@ -262,6 +260,7 @@ static void place_camera(struct lowering *l, const struct node *n, const struct 
 void lower_camera(struct lowering *l, const struct node *n)
 {
 	struct camera_items c = camera_defaults;
+	c.kind = camera_find("perspective");
 	read_defaults(l, n->state->defaults, &c);
 	read_items(l, n, &c);
 	place_camera(l, n, &c);
@@ -281,6 +280,7 @@ void lower_default_camera(struct lowering *l, const struct defaults *defaults)
 		diag_warning(l->diag, NO_SPAN,
 			"the scene has no camera: it is seen from the origin, towards z");
 	struct camera_items c = camera_defaults;
+	c.kind = camera_find("perspective");
 	read_defaults(l, defaults, &c);
 	place_camera(l, NULL, &c);
 }

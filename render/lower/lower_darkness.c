@@ -7,7 +7,9 @@
  * it: neither ambient and emission nor what it reflects.
  */
 #include "lower/lower.h"
+
 #include "geometry/shape.h"
+#include "light/light.h"
 
 #include <math.h>
 
@@ -92,7 +94,7 @@ static bool is_well_inside(const struct object *o, vec3 p)
 /* Whether a lamp outside of the object cannot reach its inner side. */
 static bool is_kept_out(const struct light *light, const struct object *o)
 {
-	return light->type != LIGHT_SHADOWLESS && !object_inside(o, light->location);
+	return light->kind->casts_shadows && !object_inside(o, light->location);
 }
 
 static bool is_dark_within(const struct scene *scene, const struct object *o)
@@ -132,6 +134,6 @@ void lower_warn_of_darkness(struct lowering *l)
 		return;
 	if (!scene->light_count)
 		warn_of_no_light(l);
-	else if (scene->camera.type == CAMERA_PERSPECTIVE)
+	else if (!scene->camera.kind->is_parallel)
 		warn_of_camera_inside(l);
 }

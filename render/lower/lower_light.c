@@ -6,6 +6,7 @@
 #include "lower/lower.h"
 
 #include "base/elementary.h"
+#include "light/light.h"
 #include "lower/draft.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943296
@@ -13,25 +14,21 @@
 /* Lights of one grid: every thread keeps one value for each. */
 enum { AREA_LIGHTS_MAX = 1 << 22 };
 
-static void set_type(struct light *light, enum light_type type)
+static void set_kind(struct light *light, const struct light_class *kind)
 {
-	light->type = type;
+	light->kind = kind;
+	light->parallel |= kind->is_parallel;
+	if (!kind->has_cone)
+		return;
 	light->tightness = 0;
-	if (type == LIGHT_SPOT) {
-		light->radius = 30;
-		light->falloff = 45;
-	} else if (type == LIGHT_CYLINDER) {
-		light->radius = 0.75;
-		light->falloff = 1;
-		light->parallel = true;
-	}
+	light->radius = kind->radius;
+	light->falloff = kind->falloff;
 }
 
 static void need_cone(struct lowering *l, const struct node *item, const struct light *light)
 {
 	const bool point_at = item->keyword == K_POINT_AT;
-	if (light->type == LIGHT_SPOT || light->type == LIGHT_CYLINDER ||
-		(point_at && light->parallel))
+	if (light->kind->has_cone || (point_at && light->parallel))
 		return;
 	diag_error(l->diag, item->word, "%s must come after spotlight%s in a light_source",
 		keyword_name(item->keyword), point_at ? ", cylinder or parallel" : " or cylinder");
@@ -84,16 +81,12 @@ static bool read_number(struct lowering *l, const struct node *item, struct ligh
 
 static bool read_word(struct lowering *l, const struct node *item, struct light *light)
 {
+	const struct light_class *kind = light_find(keyword_name(item->keyword));
+	if (kind) {
+		set_kind(light, kind);
+		return true;
+	}
 	switch (item->keyword) {
-	case K_SPOTLIGHT:
-		set_type(light, LIGHT_SPOT);
-		return true;
-	case K_CYLINDER:
-		set_type(light, LIGHT_CYLINDER);
-		return true;
-	case K_SHADOWLESS:
-		light->type = LIGHT_SHADOWLESS;
-		return true;
 	case K_PARALLEL:
 		light->parallel = true;
 		return true;
@@ -191,7 +184,7 @@ void lower_light_items(struct lowering *l, const struct node *n, struct draft *d
 
 void light_defaults(struct light *light)
 {
-	*light = (struct light){ .type = LIGHT_POINT,
+	*light = (struct light){ .kind = light_find("point"),
 		.point_at = { 0, 0, 1 },
 		.adaptive = 100,
 		.media_interaction = true };
@@ -201,7 +194,7 @@ void light_finish(struct light *light)
 {
 	const vec3 axis = vec_sub(light->point_at, light->location);
 	light->axis = vec_normalize(axis);
-	if (light->type == LIGHT_SPOT) {
+	if (light->kind->has_angles) {
 		light->radius = elementary_cos(light->radius * RADIANS_PER_DEGREE);
 		light->falloff = elementary_cos(light->falloff * RADIANS_PER_DEGREE);
 	}

@@ -117,6 +117,7 @@ void settings_begin(struct lowering *l)
 		.ambient_light = { 1, 1, 1 },
 		.irid_wavelength = { 0.70f, 0.52f, 0.48f },
 		.quality = l->options->quality,
+		.frame = l->options->frame,
 		.output_alpha = l->options->output_alpha,
 	};
 	/* without a background statement: nothing, which is transparent if alpha is wanted */

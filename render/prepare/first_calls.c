@@ -6,7 +6,7 @@
 
 #include "function/ridged.h"
 #include "scene/scene.h"
-#include "shading/trace.h"
+#include "integrate/trace.h"
 
 /* The order of pixels is that of POV-Ray: by blocks of this size. */
 enum { BLOCK = 32 };
@@ -51,7 +51,7 @@ static void trace_block(
 {
 	for (unsigned y = top; y < top + BLOCK && y < height; y++) {
 		for (unsigned x = left; x < left + BLOCK && x < width; x++)
-			trace_sample(w, x, y);
+			trace_sample(w, x, y, (struct sample_place){ (int32_t)x, (int32_t)y, 0 });
 	}
 }
 

@@ -61,11 +61,21 @@ static void set_flags(struct scene *scene)
 			(scene->objects[i]->visible_to & RAY_SHADOW_TINTED) != 0;
 }
 
+static void number_lights(struct scene *scene)
+{
+	scene->global_lights = ARENA_ARRAY(scene->arena, scene->light_count, const struct light *);
+	for (size_t i = 0; i < scene->light_count; i++) {
+		struct light *light = scene->lights[i];
+		light->index = (uint32_t)i;
+		if (!light->group_only && !rgb_is_dark(light->colour))
+			scene->global_lights[scene->global_light_count++] = light;
+	}
+}
+
 void scene_commit(struct scene *scene, unsigned threads)
 {
 	rank_objects(scene);
-	for (size_t i = 0; i < scene->light_count; i++)
-		scene->lights[i]->index = (uint32_t)i;
+	number_lights(scene);
 	set_flags(scene);
 	scene->accel = accel_build(scene->objects, scene->object_count, threads);
 }

@@ -85,8 +85,9 @@ struct edge {
 	unsigned samples;
 };
 
-static colour edge_sample(void *user, double x, double y)
+static colour edge_sample(void *user, double x, double y, struct sample_place place)
 {
+	(void)place;
 	struct edge *e = user;
 	(void)y;
 	e->samples++;
@@ -215,8 +216,9 @@ struct places {
 	size_t count;
 };
 
-static colour record(void *user, double x, double y)
+static colour record(void *user, double x, double y, struct sample_place place)
 {
+	(void)place;
 	struct places *p = user;
 	p->at[p->count][0] = x;
 	p->at[p->count++][1] = y;

@@ -7,6 +7,7 @@
 #include "accel/accel.h"
 #include "film/film.h"
 #include "geometry/shape.h"
+#include "light/light.h"
 #include "texture/texture.h"
 
 #include <setjmp.h>
@@ -19,16 +20,20 @@
 
 enum { WIDTH = 50, HEIGHT = 40 };
 
-static void add_sphere(struct scene *scene)
+static const struct finish black = { .brilliance = 1, .refraction = 1 };
+static const struct finish grainy = {
+	.diffuse = 1, .brilliance = 1, .refraction = 1, .crand = 0.5f
+};
+
+static void add_sphere(struct scene *scene, const struct finish *finish)
 {
 	static const struct pigment pigment = {
 		.is_plain = true, .is_opaque = true, .colour = { 1, 1, 1, 0, 0 }
 	};
-	static const struct finish finish = { .brilliance = 1, .refraction = 1 };
-	static const struct layer layer = { .pigment = &pigment, .finish = &finish };
-	static const struct texture texture = {
-		.opaque = true, .layer_count = 1, .layers = &layer
-	};
+	struct layer *layer = ARENA_NEW(scene->arena, struct layer);
+	*layer = (struct layer){ .pigment = &pigment, .finish = finish };
+	struct texture *texture = ARENA_NEW(scene->arena, struct texture);
+	*texture = (struct texture){ .opaque = true, .layer_count = 1, .layers = layer };
 	const struct shape_class *shape = shape_find("sphere");
 	const struct {
 		vec3 centre;
@@ -39,7 +44,7 @@ static void add_sphere(struct scene *scene)
 	struct object *o = ARENA_NEW(scene->arena, struct object);
 	*o = (struct object){ .shape = shape,
 		.self = self,
-		.texture = &texture,
+		.texture = texture,
 		.visible_to = RAY_ALL & ~(uint32_t)RAY_SHADOW_TINTED,
 		.global_lights = true };
 	object_set_bounds(o);
@@ -47,11 +52,19 @@ static void add_sphere(struct scene *scene)
 	scene->objects[scene->object_count++] = o;
 }
 
-static struct scene *make_scene(void)
+static void add_light(struct scene *scene)
+{
+	struct light *light = ARENA_NEW(scene->arena, struct light);
+	*light = (struct light){ .kind = light_find("point"), .colour = { 1, 1, 1 } };
+	scene->lights = memory_alloc(1, sizeof(struct light *));
+	scene->lights[scene->light_count++] = light;
+}
+
+static struct scene *make_scene_of(const struct finish *finish, uint32_t frame)
 {
 	struct scene *scene = scene_create();
-	scene->camera = (struct camera){ CAMERA_PERSPECTIVE, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
-		{ 0, 0, 1 } };
+	scene->camera = (struct camera){ camera_find("perspective"), { 0, 0, 0 }, { 1, 0, 0 },
+		{ 0, 1, 0 }, { 0, 0, 1 } };
 	scene->settings = (struct settings){ .version = 370,
 		.max_trace_level = 5,
 		.quality = 9,
@@ -60,9 +73,16 @@ static struct scene *make_scene(void)
 		.noise_generator = 2 };
 	scene->background = (colour){ 1, 1, 1, 0, 0 };
 	scene->has_background = true;
-	add_sphere(scene);
+	scene->settings.frame = frame;
+	add_sphere(scene, finish);
+	add_light(scene);
 	scene_commit(scene, 1);
 	return scene;
+}
+
+static struct scene *make_scene(void)
+{
+	return make_scene_of(&black, 0);
 }
 
 static struct exposure whole(void)
@@ -172,6 +192,41 @@ static void same_for_any_threads_and_blocks(void **state)
 	scene_destroy(scene);
 }
 
+static struct film *expose_grain(const struct exposure *e, uint32_t frame)
+{
+	struct scene *scene = make_scene_of(&grainy, frame);
+	struct film *film = film_create(WIDTH, HEIGHT);
+	assert_true(film_expose(film, scene, e, NULL));
+	scene_destroy(scene);
+	return film;
+}
+
+/* Neither threads nor blocks nor regions move the noise; another frame has another. */
+static void noise_belongs_to_pixel_and_frame(void **state)
+{
+	(void)state;
+	const size_t bytes = (size_t)WIDTH * HEIGHT * sizeof(colour);
+	const size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
+	for (int method = 0; method < 3; method++) {
+		struct exposure e = whole();
+		e.antialias = (struct antialias){ method, .threshold = 0.1, .depth = 3, .jitter = 1,
+			.gamma = 2.5 };
+		struct film *one = expose_grain(&e, 1), *next = expose_grain(&e, 2);
+		assert_true(
+			memcmp(&one->pixels[middle], &next->pixels[middle], sizeof(colour)) != 0);
+		e.threads = 5;
+		if (method != 1) /* which looks at the border of a block */
+			e.block_size = 7;
+		struct film *many = expose_grain(&e, 1);
+		assert_memory_equal(one->pixels, many->pixels, bytes);
+		e.block_size = 32;
+		e.region = (struct block){ WIDTH / 2, HEIGHT / 2, WIDTH / 2 + 1, HEIGHT / 2 + 1 };
+		struct film *part = expose_grain(&e, 1);
+		assert_memory_equal(&one->pixels[middle], &part->pixels[middle], sizeof(colour));
+		film_destroy(one), film_destroy(next), film_destroy(many), film_destroy(part);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -179,6 +234,7 @@ int main(void)
 		cmocka_unit_test(only_the_region),
 		cmocka_unit_test(stops_when_told),
 		cmocka_unit_test(same_for_any_threads_and_blocks),
+		cmocka_unit_test(noise_belongs_to_pixel_and_frame),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,7 +3,12 @@
  * The formulas of light: cones, falloff with distance, Fresnel, refraction, the
  * mean density of fog, and the list of interiors a ray is in.
  */
-#include "shading.h"
+#include "camera/camera.h"
+#include "light/light.h"
+#include "medium/fog.h"
+#include "medium/interior.h"
+#include "medium/interior_stack.h"
+#include "surface/specular.h"
 
 #include "base/random.h"
 
@@ -24,7 +29,7 @@ static double arriving(const struct light *light, vec3 p)
 {
 	vec3 direction;
 	const double distance = light_direction(light, vec(0, 0, 0), p, &direction);
-	return light_attenuation(light, p, direction, distance);
+	return light_attenuation(light, &p, &direction, distance);
 }
 
 static vec3 off_axis(double degrees)
@@ -34,7 +39,7 @@ static vec3 off_axis(double degrees)
 
 static struct light spot(double radius, double falloff)
 {
-	return (struct light){ .type = LIGHT_SPOT,
+	return (struct light){ .kind = light_find("spotlight"),
 		.point_at = { 0, 0, 1 },
 		.axis = { 0, 0, 1 },
 		.radius = cos(radius * DEGREES),
@@ -70,7 +75,7 @@ static void spotlight_edges(void **unused)
 static void cylinder_fades_across(void **unused)
 {
 	(void)unused;
-	const struct light light = { .type = LIGHT_CYLINDER,
+	const struct light light = { .kind = light_find("cylinder"),
 		.parallel = true,
 		.point_at = { 0, 0, 1 },
 		.axis = { 0, 0, 1 },
@@ -85,7 +90,7 @@ static void cylinder_fades_across(void **unused)
 static void distance_fades(void **unused)
 {
 	(void)unused;
-	struct light light = { .type = LIGHT_POINT, .fade_distance = 3, .fade_power = 2 };
+	struct light light = { .kind = light_find("point"), .fade_distance = 3, .fade_power = 2 };
 	CLOSE(arriving(&light, vec(0, 3, 0)), 1);
 	CLOSE(arriving(&light, vec(0, 0, 6)), 0.4);
 	light.fade_power = 1;
@@ -97,7 +102,9 @@ static void distance_fades(void **unused)
 static void parallel_light_counts_along_its_axis(void **unused)
 {
 	(void)unused;
-	const struct light light = { .type = LIGHT_POINT, .parallel = true, .axis = { 0, 0, 1 } };
+	const struct light light = {
+		.kind = light_find("point"), .parallel = true, .axis = { 0, 0, 1 }
+	};
 	vec3 direction;
 	CLOSE(light_direction(&light, vec(0, 0, 0), vec(7, 0, 4), &direction), 4);
 	CLOSE(direction.z, -1);
@@ -208,25 +215,25 @@ static void interiors_toggle(void **unused)
 	(void)unused;
 	struct arena *arena = arena_create(0);
 	struct interior many[12];
-	struct containment c = { 0 };
+	struct interior_stack c = { 0 };
 	for (size_t i = 0; i < 12; i++) {
 		many[i] = (struct interior){ .ior = 1 + 0.1 * (double)i, .hollow = i != 5 };
-		containment_toggle(&c, &many[i], arena);
+		interior_stack_toggle(&c, &many[i], arena);
 		assert_int_equal(c.count, i + 1);
 	}
-	assert_false(containment_is_hollow(&c));
-	const struct containment kept = c;
-	containment_borrow(&c, &kept);
+	assert_false(interior_stack_is_hollow(&c));
+	const struct interior_stack kept = c;
+	interior_stack_borrow(&c, &kept);
 	for (size_t i = 0; i < 12; i += 2)
-		containment_toggle(&c, &many[i], arena);
+		interior_stack_toggle(&c, &many[i], arena);
 	for (size_t i = 0; i < 12; i++) {
-		assert_int_equal(containment_has(&c, &many[i]), i % 2 == 1);
-		assert_true(containment_has(&kept, &many[i])); /* copies are values */
+		assert_int_equal(interior_stack_has(&c, &many[i]), i % 2 == 1);
+		assert_true(interior_stack_has(&kept, &many[i])); /* copies are values */
 	}
 	for (size_t i = 1; i < 12; i += 2)
-		containment_toggle(&c, &many[i], arena);
+		interior_stack_toggle(&c, &many[i], arena);
 	assert_int_equal(c.count, 0);
-	assert_true(containment_is_hollow(&c));
+	assert_true(interior_stack_is_hollow(&c));
 	arena_destroy(arena);
 }
 
@@ -235,18 +242,18 @@ static void index_ratio_follows_the_list(void **unused)
 	(void)unused;
 	const struct interior water = { .ior = 1.33 }, glass = { .ior = 1.5 };
 	struct arena *arena = arena_create(0);
-	struct containment c = { 0 };
-	CLOSE(containment_ratio(&c, &water), 1 / 1.33);
-	CLOSE(containment_fresnel_ratio(&c, &water), 1.33);
-	containment_toggle(&c, &water, arena);
-	CLOSE(containment_ratio(&c, &glass), 1.33 / 1.5);
-	CLOSE(containment_ratio(&c, &water), 1.33);
-	CLOSE(containment_fresnel_ratio(&c, &glass), 1.5 / 1.33);
-	CLOSE(containment_fresnel_ratio(&c, &water), 1 / 1.33);
-	containment_toggle(&c, &glass, arena);
-	CLOSE(containment_ratio(&c, &glass), 1.5 / 1.33);
-	CLOSE(containment_ratio(&c, &water), 1);	 /* not the last: overlapping objects */
-	CLOSE(containment_fresnel_ratio(&c, &glass), 1); /* as the language has it */
+	struct interior_stack c = { 0 };
+	CLOSE(interior_stack_ratio(&c, &water), 1 / 1.33);
+	CLOSE(interior_stack_fresnel_ratio(&c, &water), 1.33);
+	interior_stack_toggle(&c, &water, arena);
+	CLOSE(interior_stack_ratio(&c, &glass), 1.33 / 1.5);
+	CLOSE(interior_stack_ratio(&c, &water), 1.33);
+	CLOSE(interior_stack_fresnel_ratio(&c, &glass), 1.5 / 1.33);
+	CLOSE(interior_stack_fresnel_ratio(&c, &water), 1 / 1.33);
+	interior_stack_toggle(&c, &glass, arena);
+	CLOSE(interior_stack_ratio(&c, &glass), 1.5 / 1.33);
+	CLOSE(interior_stack_ratio(&c, &water), 1);	    /* not the last: overlapping objects */
+	CLOSE(interior_stack_fresnel_ratio(&c, &glass), 1); /* as the language has it */
 	arena_destroy(arena);
 }
 
@@ -255,7 +262,7 @@ static void index_ratio_follows_the_list(void **unused)
 static void camera_sees_pixel_centres(void **unused)
 {
 	(void)unused;
-	const struct camera c = { .type = CAMERA_PERSPECTIVE,
+	const struct camera c = { .kind = camera_find("perspective"),
 		.right = { 2, 0, 0 },
 		.up = { 0, 1, 0 },
 		.direction = { 0, 0, 1 } };
@@ -265,12 +272,12 @@ static void camera_sees_pixel_centres(void **unused)
 	CLOSE(r.direction.x, wanted.x);
 	CLOSE(r.direction.y, wanted.y);
 	struct camera o = c;
-	o.type = CAMERA_ORTHOGRAPHIC;
+	o.kind = camera_find("orthographic");
 	assert_true(camera_ray(&o, 3, 1, 4, 2, &r));
 	CLOSE(r.origin.x, 0.75);
 	CLOSE(r.origin.y, -0.25);
 	CLOSE(r.direction.z, 1);
-	const struct camera degenerate = { .type = CAMERA_PERSPECTIVE };
+	const struct camera degenerate = { .kind = camera_find("perspective") };
 	assert_false(camera_ray(&degenerate, 0, 0, 4, 2, &r));
 }
 

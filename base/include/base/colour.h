@@ -7,7 +7,10 @@
 #ifndef LAMBERT_BASE_COLOUR_H
 #define LAMBERT_BASE_COLOUR_H
 
+#include "base/elementary.h"
+
 #include <math.h>
+#include <stdbool.h>
 
 /* Light. */
 typedef struct {
@@ -48,6 +51,14 @@ static inline float rgb_max(rgb a)
 static inline float rgb_max_abs(rgb a)
 {
 	return rgb_max((rgb){ fabsf(a.r), fabsf(a.g), fabsf(a.b) });
+}
+static inline bool rgb_is_zero(rgb a)
+{
+	return a.r == 0 && a.g == 0 && a.b == 0;
+}
+static inline bool rgb_is_dark(rgb a)
+{
+	return rgb_max_abs(a) < (float)NEARLY_ZERO;
 }
 static inline rgb colour_rgb(colour c)
 {

@@ -35,4 +35,18 @@ double elementary_asinh(double); /* the inverses 0.5005 (0.5000) */
 double elementary_acosh(double);
 double elementary_atanh(double);
 
+/* Below this in magnitude, numbers of the language count as zero. */
+#define NEARLY_ZERO 1e-10
+
+/* pow(). The exponents of scenes are mostly whole numbers, and then a few products are faster. */
+static inline double power_of(double base, double exponent)
+{
+	if (!(exponent >= 0 && exponent <= 4096) || exponent != (double)(int)exponent)
+		return elementary_pow(base, exponent);
+	double result = 1;
+	for (unsigned n = (unsigned)exponent; n != 0; n >>= 1, base *= base)
+		result *= n & 1 ? base : 1;
+	return result;
+}
+
 #endif

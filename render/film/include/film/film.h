@@ -9,7 +9,7 @@
 #define LAMBERT_FILM_FILM_H
 
 #include "scene/scene.h"
-#include "shading/trace.h"
+#include "integrate/trace.h"
 
 #include <stdbool.h>
 

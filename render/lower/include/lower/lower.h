@@ -17,6 +17,7 @@
 struct lower_options {
 	unsigned width, height;
 	int quality;
+	uint32_t frame;
 	bool output_alpha;
 	int working_version;		   /* Version option, hundredths; 0: none given */
 	const struct parse_options *files; /* for fonts and images */

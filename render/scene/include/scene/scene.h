@@ -10,9 +10,11 @@
 #include "base/colour.h"
 #include "base/pointer_map.h"
 #include "base/transform.h"
+#include "camera/camera.h"
 #include "geometry/object.h"
 
 struct accel;
+struct light_class;
 struct pigment;
 struct normal;
 
@@ -26,15 +28,13 @@ struct interior {
 	bool hollow;
 };
 
-enum light_type { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER, LIGHT_SHADOWLESS };
-
 struct light {
-	enum light_type type;
+	const struct light_class *kind;
 	uint32_t index; /* in scene.lights, by scene_commit */
 	bool parallel;
 	vec3 location, point_at, axis; /* axis = unit(point_at - location) */
 	rgb colour;
-	double radius, falloff; /* cosines for spotlights, lengths for cylinders */
+	double radius, falloff; /* of the cone: cosines of angles, or lengths; light.h */
 	double tightness;
 	double fade_distance, fade_power;
 	bool media_attenuation, media_interaction;
@@ -45,13 +45,6 @@ struct light {
 	int area_count_u, area_count_v;
 	int adaptive;
 	bool jitter, circular, orient, area_illumination;
-};
-
-enum camera_type { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
-
-struct camera {
-	enum camera_type type;
-	vec3 location, right, up, direction; /* final, as camera_ray uses them */
 };
 
 struct sky_sphere {
@@ -86,7 +79,8 @@ struct settings {
 	float adc_bailout;
 	rgb ambient_light;
 	rgb irid_wavelength;
-	int quality; /* 0 to 9 */
+	int quality;	/* 0 to 9 */
+	uint32_t frame; /* of an animation: names random numbers */
 	bool output_alpha;
 	struct working_space working;
 	int noise_generator; /* global default, resolved */
@@ -110,6 +104,8 @@ struct scene {
 
 	/* made by scene_commit */
 	struct accel *accel;
+	const struct light **global_lights; /* those in no group; without black ones */
+	size_t global_light_count;
 	bool has_tinted_shadows; /* some object casts a shadow that is not opaque */
 };
 

@@ -3,7 +3,7 @@
  * The looks of a surface: textures made of layers (pigment, normal, finish),
  * and textures chosen by a pattern. Built by lower/lower_texture.c, const
  * afterwards. The formulas are in the files of render/texture and
- * render/pattern; what light does with them is in shade.c.
+ * render/pattern; what light does with them is in render/surface.
  */
 #ifndef LAMBERT_TEXTURE_TEXTURE_H
 #define LAMBERT_TEXTURE_TEXTURE_H
