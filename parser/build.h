@@ -223,6 +223,9 @@ void body_comma(struct parser *, struct body, span);
 struct body body_string(struct parser *, struct body, const char *text, span);
 struct node *shape_coefficients(struct parser *, enum keyword, span whole, span word, size_t start,
 	span at, struct node_list);
+/* The same tree from the terms that are not zero: xyz(i, j, k): coefficient. */
+struct node *shape_terms(struct parser *, span whole, span word, size_t start,
+	struct node_list terms, struct node_list items);
 
 /* -- mesh.c ------------------------------------------------------------------------------- */
 

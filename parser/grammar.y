@@ -691,7 +691,7 @@ object_statement:
 		{ $$ = shape_coefficients(p, $1, @$, @1, $3, @6, $8); }
 	| KW_POLYNOMIAL '{' T_OBJECT modifiers '}' { $$ = copy_node(p, $3, @3, @$, @1, $4); }
 	| KW_POLYNOMIAL '{' one oc polynomial_items modifiers '}'
-		{ $$ = node_fit(p, $1, @$, @1, $3, "f"); $$->children = list_join($5, $6).first; }
+		{ $$ = shape_terms(p, @$, @1, $3, $5, $6); }
 	| KW_BLOB '{' T_OBJECT modifiers '}' { $$ = copy_node(p, $3, @3, @$, @1, $4); }
 	| KW_BLOB '{' blob_items modifiers '}' { $$ = node_block(p, $1, @$, @1, list_join($3, $4)); }
 	| KW_HEIGHT_FIELD '{' T_OBJECT modifiers '}' { $$ = copy_node(p, $3, @3, @$, @1, $4); }

@@ -250,20 +250,33 @@ struct node *shape_node(
 	return node;
 }
 
+/* The coefficients of all terms of a lower order than `order`. */
+static size_t coefficients_below(size_t order)
+{
+	return order * (order + 1) * (order + 2) / 6;
+}
+
+/* 0 after an error. */
+static size_t take_order(struct parser *p, enum keyword keyword, struct arg *arg)
+{
+	const double said = number_to_float(p, arg->number, arg->span);
+	arg->number = number_float(said);
+	if (said >= 2 && said < 36)
+		return (size_t)said;
+	parser_error(p, arg->span, "the order of a %s is 2 to 35", keyword_name(keyword));
+	return 0;
+}
+
 struct node *shape_coefficients(struct parser *p, enum keyword keyword, span whole, span word,
 	size_t start, span at, struct node_list items)
 {
 	struct grammar *g = p->grammar;
 	size_t order = keyword == K_CUBIC ? 3 : 4, first = start;
 	if (keyword == K_POLY) {
-		const double said = number_to_float(p, g->args[start].number, g->args[start].span);
-		order = said >= 2 && said < 36 ? (size_t)said : 0;
-		if (!order)
-			parser_error(p, g->args[start].span, "the order of a poly is 2 to 35");
-		g->args[start].number = number_float(said);
+		order = take_order(p, keyword, &g->args[start]);
 		first++;
 	}
-	const size_t wanted = (order + 1) * (order + 2) * (order + 3) / 6;
+	const size_t wanted = coefficients_below(order + 1);
 	const size_t found = g->arg_count - first;
 	if (order && found != wanted) {
 		parser_error(p, at, "%s needs %zu coefficients, found %zu", keyword_name(keyword),
@@ -276,6 +289,43 @@ struct node *shape_coefficients(struct parser *p, enum keyword keyword, span who
 	g->arg_count = first;
 	args_push_array(p, values, found, 1, at);
 	struct node *node = node_args(p, keyword, whole, word, start);
+	node->children = items.first;
+	return node;
+}
+
+/* The place of the coefficient of x^i y^j z^k among all of them; SIZE_MAX after an error. */
+static size_t place_of_term(struct parser *p, const struct node *term, size_t order)
+{
+	size_t left = order, place = 0;
+	for (size_t n = 0; n < 3; n++) {
+		const double power = floor(term->args[n].number.v[0]);
+		if (!(power >= 0 && power <= (double)left)) {
+			parser_error(p, term->args[n].span,
+				"exponents are 0 or more, and their sum is the order, %zu, at most",
+				order);
+			return SIZE_MAX;
+		}
+		left -= (size_t)power;
+		/* terms with a higher power of x, then of y, then of z stand before it */
+		place += n == 0 ? coefficients_below(left) : n == 1 ? left * (left + 1) / 2 : left;
+	}
+	return place;
+}
+
+struct node *shape_terms(struct parser *p, span whole, span word, size_t start,
+	struct node_list terms, struct node_list items)
+{
+	const size_t order = take_order(p, K_POLYNOMIAL, &p->grammar->args[start]);
+	const size_t count = coefficients_below(order + 1);
+	double *values = ARENA_ARRAY(p->tree, count, double);
+	for (const struct node *term = terms.first; order && term; term = term->next) {
+		const size_t place = place_of_term(p, term, order);
+		if (place != SIZE_MAX)
+			values[place] = term->args[3].number.v[0];
+	}
+	p->grammar->arg_count = start + 1;
+	args_push_array(p, values, count, 1, word);
+	struct node *node = node_args(p, K_POLYNOMIAL, whole, word, start);
 	node->children = items.first;
 	return node;
 }

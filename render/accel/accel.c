@@ -36,9 +36,12 @@ static bool is_bounded(const struct object *o)
 	       isfinite(b.lo.x + b.lo.y + b.lo.z + b.hi.x + b.hi.y + b.hi.z);
 }
 
-/* Solid all around, like an inverted sphere: any point outside the bounds tells. */
+/* Solid all around, like an inverted sphere: any point outside the bounds tells. Clips make the
+ * bounds smaller, but not what the object surrounds. */
 static bool is_solid_outside(const struct object *o)
 {
+	if (o->extras && o->extras->clip_count)
+		return true;
 	const vec3 beyond = vec_sub(vec_scale(o->bounds.hi, 2), o->bounds.lo);
 	return object_inside(o, vec_add(beyond, vec(1, 1, 1)));
 }
@@ -184,7 +187,7 @@ static size_t keep_containing(const struct object *const *objects, size_t count,
 {
 	size_t kept = 0;
 	for (size_t i = 0; i < count && kept < room; i++) {
-		if (object_inside(objects[i], p))
+		if (object_surrounds(objects[i], p))
 			out[kept++] = objects[i];
 	}
 	return kept;

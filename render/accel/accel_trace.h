@@ -38,7 +38,7 @@ struct accel {
 	const struct sphere_group *groups; /* of slots 8 i to 8 i + 7 */
 	const struct object **unbounded;   /* by rank */
 	size_t unbounded_count;
-	const struct object **outside; /* bounded, but solid everywhere outside their bounds */
+	const struct object **outside; /* bounded, but points outside their bounds can be inside */
 	size_t outside_count;
 	size_t object_count;
 };

@@ -213,14 +213,24 @@ bool object_nearest(
 
 /* ---- points ---- */
 
-bool object_inside(const struct object *o, vec3 p)
+static bool inside_shape(const struct object *o, vec3 p)
 {
 	if (!o->shape->inside)
 		return false;
 	const vec3 local = o->place ? transform_point_back(o->place, p) : p;
-	if (o->shape->inside(o->self, local) == o->inverted)
-		return false;
-	return !o->extras || inside_all(o->extras->clips, o->extras->clip_count, p);
+	return o->shape->inside(o->self, local) != o->inverted;
+}
+
+bool object_inside(const struct object *o, vec3 p)
+{
+	return inside_shape(o, p) &&
+	       (!o->extras || inside_all(o->extras->clips, o->extras->clip_count, p));
+}
+
+bool object_surrounds(const struct object *o, vec3 p)
+{
+	return box_is_unbounded(o->shape->bounds(o->self)) ? object_inside(o, p)
+							   : inside_shape(o, p);
 }
 
 bool object_chord(const struct object *o, const ray *r, struct chord *chord)

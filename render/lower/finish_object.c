@@ -134,16 +134,24 @@ static const struct interior *plain_interior(struct lowering *l, bool hollow)
 	return *slot;
 }
 
+/*
+ * The interior that was given, or the one of everything in the statement that was given none. A
+ * compound asks before its parts do: theirs is the last word on what is shared.
+ */
+static const struct interior *shared_interior(
+	struct lowering *l, const struct draft *d, const struct heritage *h)
+{
+	if (!h->interior && !*h->fallback)
+		*h->fallback = lower_interior(l, NULL, NULL);
+	return finish_interior(l, h->interior ? h->interior : *h->fallback, d->hollow, h->texture);
+}
+
 static const struct interior *interior_of(struct lowering *l, const struct draft *d,
 	const struct heritage *h, const struct texture *texture)
 {
-	if (h->interior)
-		return finish_interior(l, h->interior, d->hollow, h->texture);
-	if (texture->opaque && !h->in_compound)
+	if (!h->interior && texture->opaque && !h->in_compound)
 		return plain_interior(l, d->hollow);
-	if (!*h->fallback)
-		*h->fallback = lower_interior(l, NULL, NULL);
-	return finish_interior(l, *h->fallback, d->hollow, h->texture);
+	return shared_interior(l, d, h);
 }
 
 static uint8_t visibility(const struct heritage *h, bool opaque)
@@ -445,6 +453,7 @@ static void collect_union(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
 	struct object_list members = { NULL, 0, 0 };
+	const struct interior *interior = shared_interior(l, d, h);
 	for (struct draft *child = d->children; child; child = child->next)
 		if (!is_left_out(d, child, h))
 			collect(l, child, h, &members);
@@ -459,6 +468,7 @@ static void collect_union(
 			list_add(out, members.items[i]);
 	} else if (members.count) {
 		struct object *o = wrap(l, CSG_UNION, &members, unseen, h);
+		o->interior = interior;
 		finish_cutting(l, d, h, o);
 		keep_bounds(l, o, bounds, bound_count);
 		object_set_bounds(o);
@@ -473,6 +483,7 @@ static void collect_compound(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
 	struct object_list members = { NULL, 0, 0 };
+	const struct interior *interior = shared_interior(l, d, h);
 	for (struct draft *child = d->children; child; child = child->next) {
 		if (child->kind == DRAFT_LIGHT)
 			collect(l, child, h, out);
@@ -482,6 +493,9 @@ static void collect_compound(
 	const size_t unseen = collect_unseen(l, d, h, &members);
 	if (members.count || d->csg == CSG_INTERSECTION) {
 		struct object *o = wrap(l, d->csg, &members, unseen, h);
+		o->interior = interior;
+		if (!members.count && !h->interior)
+			o->interior = plain_interior(l, true); /* nothing is in nothing */
 		finish_cutting(l, d, h, o);
 		object_set_bounds(o);
 		struct object_list self = { &o, 1, 1 };
@@ -499,11 +513,13 @@ static void collect_compound(
 static void collect_text(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
+	const struct interior *interior = shared_interior(l, d, h);
 	struct object_list letters = { NULL, 0, 0 };
 	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
 	lower_text(l, d->node, &d->place, add_glyph, NULL, &glyphs);
 	if (d->inverted) {
 		struct object *o = wrap(l, CSG_INTERSECTION, &letters, 0, h);
+		o->interior = interior;
 		object_set_bounds(o);
 		list_add(out, o);
 	}
@@ -548,6 +564,7 @@ static void collect_group(
 	struct heritage own = *h;
 	own.lights = lights;
 	own.global_lights = d->global_lights;
+	const struct interior *interior = shared_interior(l, d, h);
 	struct object_list members = { NULL, 0, 0 };
 	for (struct draft *child = d->children; child; child = child->next) {
 		if (child->kind == DRAFT_LIGHT && !h->is_repeat)
@@ -559,6 +576,7 @@ static void collect_group(
 	}
 	if (d->csg != CSG_UNION) {
 		struct object *o = wrap(l, d->csg, &members, 0, &own);
+		o->interior = interior;
 		object_set_bounds(o);
 		list_add(out, o);
 	}

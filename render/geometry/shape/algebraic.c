@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * cubic { <coefficients> }, quartic { <coefficients> }, poly { order, <coefficients> }
+ * cubic { <coefficients> }, quartic { <coefficients> }, poly { order, <coefficients> },
+ * polynomial { order, xyz(i, j, k): coefficient, ... }, which arrives with all its coefficients
  *
  * The zeros of a polynomial in x, y and z; the coefficients stand by falling
  * powers of x, then y, then z, and most are zero: only the others are kept. Along
@@ -97,6 +98,11 @@ static void poly_build(void *self, struct shape_build *build)
 		return;
 	}
 	algebraic_build(a, (unsigned)a->order, build);
+}
+
+static void polynomial_build(void *self, struct shape_build *build)
+{
+	poly_build(self, build);
 }
 
 static box algebraic_bounds(const void *self)
@@ -316,3 +322,4 @@ static vec3 algebraic_normal(const void *self, const struct hit *hit, vec3 p)
 ALGEBRAIC(cubic, cubic_params)
 ALGEBRAIC(quartic, cubic_params)
 ALGEBRAIC(poly, poly_params)
+ALGEBRAIC(polynomial, poly_params)

@@ -115,6 +115,8 @@ bool object_nearest(
 bool object_chord(const struct object *, const ray *, struct chord *);
 /* Inversion and clips included. Always false for patches. */
 bool object_inside(const struct object *, vec3 p);
+/* The same, but clips end only what is endless: the inside of all else stays as it was. */
+bool object_surrounds(const struct object *, vec3 p);
 /* Whether the object has an inside at all. */
 bool object_is_solid(const struct object *);
 /* Raw outward normal in the world: unit, negated for inverted objects, not turned to the viewer.
