@@ -47,12 +47,11 @@ const struct texture *surface_open(
 size_t parts_resolve(struct worker *w, const struct texture *texture, vec3 p, struct surface *s)
 {
 	const size_t first = w->part_count;
-	if (w->part_room < first + TEXTURE_PARTS_MAX) {
-		w->part_room = 2 * (first + TEXTURE_PARTS_MAX);
-		w->parts = memory_grow(w->parts, w->part_room, sizeof *w->parts);
-	}
-	w->part_count +=
-		texture_resolve(texture, p, s, w->parts + first, TEXTURE_PARTS_MAX, w->scratch);
+	struct texture_parts parts = { w->parts, first, w->part_room };
+	texture_resolve(texture, p, s, &parts, w->scratch);
+	w->parts = parts.items;
+	w->part_count = parts.count;
+	w->part_room = parts.room;
 	return first;
 }
 
