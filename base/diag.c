@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Sources, sites and messages; see diag.h. Line starts are not indexed: a line
- * is counted from the start of its source when a message needs it.
+ * Sources, sites and messages; see diag.h. The lines of a source are indexed
+ * when a place in it is first asked for: most sources are never asked about.
  */
 #include "base/diag.h"
 
@@ -14,10 +14,14 @@
 
 /* Deeper chains than this are shown in part: the innermost ones. */
 enum { CHAIN_MAX = 8, CONTEXT_MAX = 320 };
+/* Of a longer line a place shows a part, so that a message costs the same in a file of one line. */
+enum { TEXT_MAX = 4096, TEXT_LEAD = 1024 };
 
 struct source {
 	const char *name, *bytes;
 	size_t size;
+	uint32_t *lines; /* offsets of their first bytes; NULL: not indexed */
+	size_t line_count;
 };
 
 struct site {
@@ -37,7 +41,7 @@ struct diag {
 	void *user;
 	struct source *sources;
 	struct site *sites;
-	size_t source_count, site_count, site_room;
+	size_t source_count, source_room, site_count, site_room;
 	struct feature *features;
 	size_t feature_count;
 	unsigned mistakes;
@@ -66,6 +70,8 @@ void diag_destroy(struct diag *d)
 	for (size_t i = 0; i < d->feature_count; i++)
 		free(d->features[i].message);
 	free(d->features);
+	for (size_t i = 0; i < d->source_count; i++)
+		free(d->sources[i].lines);
 	free(d->sources);
 	free(d->sites);
 	free(d->seen);
@@ -74,8 +80,12 @@ void diag_destroy(struct diag *d)
 
 uint32_t diag_add_source(struct diag *d, const char *name, const char *bytes, size_t size)
 {
-	d->sources = memory_grow(d->sources, d->source_count + 1, sizeof *d->sources);
-	d->sources[d->source_count++] = (struct source){ name, bytes, size };
+	if (d->source_count == d->source_room) {
+		d->source_room = d->source_room ? 2 * d->source_room : 16;
+		d->sources = memory_grow(d->sources, d->source_room, sizeof *d->sources);
+	}
+	d->sources[d->source_count++] =
+		(struct source){ .name = name, .bytes = bytes, .size = size };
 	return (uint32_t)d->source_count;
 }
 
@@ -97,35 +107,78 @@ static size_t newline_length(const char *p, const char *end)
 	return p + 1 < end && (p[1] == '\n' || p[1] == '\r') && p[1] != *p ? 2 : 1;
 }
 
-static struct place resolve(struct diag *d, span where, char **line_text)
+/* Writes the start of every line to `lines` unless that is NULL; returns their number. */
+static size_t find_lines(const struct source *s, uint32_t *lines)
+{
+	size_t count = 0;
+	const char *end = s->bytes + s->size;
+	if (lines)
+		lines[0] = 0;
+	for (const char *p = s->bytes; p < end;) {
+		const size_t n = newline_length(p, end);
+		p += n ? n : 1;
+		count += n > 0;
+		if (n && lines)
+			lines[count] = (uint32_t)(p - s->bytes);
+	}
+	return count + 1;
+}
+
+static void index_lines(struct source *s)
+{
+	s->lines = memory_alloc(find_lines(s, NULL), sizeof *s->lines);
+	s->line_count = find_lines(s, s->lines);
+}
+
+/* The line that an offset is in, from 0. */
+static size_t line_at(const struct source *s, size_t offset)
+{
+	size_t low = 0, high = s->line_count;
+	while (high - low > 1) {
+		const size_t middle = low + (high - low) / 2;
+		if (s->lines[middle] <= offset)
+			low = middle;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+/* Copies the line between two offsets, or the part of a long one around `at`; returns where the part
+ * begins. */
+static size_t copy_text(const struct source *s, size_t from, size_t end, size_t at, char **text)
+{
+	size_t stop = end;
+	if (end - from > TEXT_MAX) {
+		from = at - from > TEXT_LEAD ? at - TEXT_LEAD : from;
+		stop = end - from > TEXT_MAX ? from + TEXT_MAX : end;
+	}
+	size_t length = 0;
+	while (from + length < stop && !newline_length(s->bytes + from + length, s->bytes + stop))
+		length++;
+	free(*text);
+	*text = memory_alloc(length + 1, 1);
+	memcpy(*text, s->bytes + from, length);
+	(*text)[length] = 0;
+	return from;
+}
+
+static struct place resolve(struct diag *d, span where, char **text)
 {
 	struct place place = { .length = where.length ? where.length : 1 };
 	if (where.source == 0 || where.source > d->source_count)
 		return place;
-	const struct source *s = &d->sources[where.source - 1];
-	const char *end = s->bytes + s->size;
-	const char *at = s->bytes + (where.offset < s->size ? where.offset : s->size);
-	const char *line = s->bytes;
-	unsigned number = 1;
-	for (const char *p = s->bytes; p < at;) {
-		const size_t n = newline_length(p, end);
-		if (n && p + n <= at) {
-			number++;
-			line = p + n;
-		}
-		p += n ? n : 1;
-	}
-	const char *stop = line;
-	while (stop < end && *stop != '\n' && *stop != '\r')
-		stop++;
-	free(*line_text);
-	*line_text = memory_alloc((size_t)(stop - line) + 1, 1);
-	memcpy(*line_text, line, (size_t)(stop - line));
-	(*line_text)[stop - line] = 0;
+	struct source *s = &d->sources[where.source - 1];
+	if (!s->lines)
+		index_lines(s);
+	const size_t at = where.offset < s->size ? where.offset : s->size;
+	const size_t line = line_at(s, at), from = s->lines[line];
+	const size_t end = line + 1 < s->line_count ? s->lines[line + 1] : s->size;
+	place.text_offset = (unsigned)(copy_text(s, from, end, at, text) - from);
 	place.file = s->name;
-	place.line = number;
-	place.column = (unsigned)(at - line) + 1;
-	place.text = *line_text;
+	place.line = (unsigned)line + 1;
+	place.column = (unsigned)(at - from) + 1;
+	place.text = *text;
 	return place;
 }
 

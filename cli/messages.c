@@ -140,7 +140,7 @@ static void put(struct excerpt *e, char c, char mark, size_t times)
 
 static void make_excerpt(struct excerpt *e, const struct lambert_place *p)
 {
-	const size_t length = strlen(p->text), at = p->column - 1;
+	const size_t length = strlen(p->text), at = p->column - 1 - p->text_offset;
 	size_t first = at > LEAD ? at - LEAD : 0;
 	while (first < length && continues_character(p->text[first]))
 		first++;

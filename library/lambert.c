@@ -53,8 +53,8 @@ void lambert_scene_options_init(struct lambert_scene_options *o)
 
 static struct lambert_place place_for_user(const struct place *p)
 {
-	return (struct lambert_place){ p->file, p->line, p->column, p->length, p->text,
-		p->context };
+	return (struct lambert_place){ p->file, p->line, p->column, p->length, p->text, p->context,
+		p->text_offset };
 }
 
 static void forward_message(void *user, const struct message *m)

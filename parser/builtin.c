@@ -13,8 +13,6 @@
 #include <math.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 /* -- Numbers of arguments ----------------------------------------------------------------- */
 
 bool arguments_fit(
@@ -132,8 +130,8 @@ struct number builtin_float(struct parser *p, enum keyword word, struct number n
 	case K_LOG:     r = elementary_log10(positive(p, word, !(a <= 0), a, where)); break;
 	case K_SQRT:    r = sqrt(positive(p, word, !(a < 0), a, where)); break;
 	case K_INT:     r = number_truncate(a); break;
-	case K_DEGREES: r = a / (PI / 180); break;
-	case K_RADIANS: r = a * (PI / 180); break;
+	case K_DEGREES: r = a / (M_PI / 180); break;
+	case K_RADIANS: r = a * (M_PI / 180); break;
 	case K_SEED:    r = seed(p, a); break;
 	case K_RAND:    r = next_random(p, a, where); break;
 	default: break;
@@ -247,7 +245,7 @@ static struct number turbulence(const struct call *c)
 static vec3 rotate_about(vec3 v, vec3 axis, double degrees)
 {
 	const vec3 k = vec_scale(axis, 1 / sqrt(vec_dot(axis, axis)));
-	const double a = degrees * (PI / 180), c = elementary_cos(a), s = elementary_sin(a),
+	const double a = degrees * (M_PI / 180), c = elementary_cos(a), s = elementary_sin(a),
 		     d = 1 - c;
 	return (vec3){
 		v.x * (k.x * k.x + c * (1 - k.x * k.x)) + v.y * (k.x * k.y * d - k.z * s) +

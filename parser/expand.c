@@ -10,6 +10,7 @@
 
 #include "grammar.tab.h"
 
+#include <math.h>
 #include <string.h>
 #include <time.h>
 
@@ -138,7 +139,7 @@ bool constant_value(struct parser *p, enum keyword keyword, double *value)
 		*value = p->state->version / 100.0;
 		return true;
 	case K_PI:
-		*value = 3.14159265358979323846;
+		*value = M_PI;
 		return true;
 	case K_TRUE:
 	case K_YES:

@@ -10,6 +10,8 @@
 #include "source.h"
 #include "symbol.h"
 
+#include "base/epsilon.h"
+
 enum {
 	MAX_BLOCKS = 199,
 	MAX_FILES = 32,
@@ -17,8 +19,6 @@ enum {
 	MAX_UNREAD = 16,
 	MAX_NESTING = 1000,
 };
-
-#define EPSILON 1e-10 /* the one tolerance of comparisons in the language */
 
 /* A piece of text being read: a file or the body of a macro. */
 struct frame {

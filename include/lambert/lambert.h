@@ -43,8 +43,9 @@ enum lambert_severity { LAMBERT_NOTE, LAMBERT_WARNING, LAMBERT_ERROR };
 struct lambert_place {
 	const char *file;	       /* NULL: no place */
 	unsigned line, column, length; /* from 1, in bytes */
-	const char *text;	       /* the line */
+	const char *text;	       /* the line; of a very long one the part around the place */
 	const char *context;	       /* in a chain: "in macro Foo, called here" */
+	unsigned text_offset;	       /* bytes of the line before `text`: 0 unless it is a part */
 };
 
 /* The strings live as long as the callback runs. */

@@ -12,9 +12,6 @@
 
 #include <stdlib.h>
 
-/* Surfaces one ray may cross unbent; keeps rays that make no progress from going on forever. */
-enum { STRETCHES_MAX = 100000 };
-
 /* ---- worker ---- */
 
 static struct integrate_memory *integrate_memory_create(
@@ -92,21 +89,30 @@ static struct radiance stretch_trace(
 	return radiance;
 }
 
+/* Whether a ray that goes straight on starts where it started before: so far out that its step is
+ * rounded away. It would go on forever. Any other comes nearer to the end of the scene with each step. */
+static bool is_stuck(const struct path *path, vec3 before)
+{
+	const vec3 o = path->ray.origin;
+	return path->straight && o.x == before.x && o.y == before.y && o.z == before.z;
+}
+
 struct radiance trace_path(struct worker *w, struct path *path)
 {
 	const struct settings *settings = &w->scene->settings;
 	struct radiance sum = { 0 };
 	rgb factor = rgb_grey(1);
 	float transmit = 1;
-	for (int i = 0; i < STRETCHES_MAX; i++) {
+	for (;;) {
 		struct transmission onward;
+		const vec3 origin = path->ray.origin;
 		if (path->level >= settings->max_trace_level ||
 			path->weight < settings->adc_bailout)
 			break;
 		const struct radiance radiance = stretch_trace(w, path, &onward);
 		sum.light = rgb_add(sum.light, rgb_mul(factor, radiance.light));
 		sum.transmit += transmit * radiance.transmit;
-		if (!onward.present)
+		if (!onward.present || is_stuck(path, origin))
 			break;
 		factor = rgb_mul(factor, onward.factor);
 		transmit *= onward.transmit;

@@ -5,8 +5,9 @@
  */
 #include "lower/draft.h"
 
+#include "base/epsilon.h"
+
 /* Below this a length counts as nothing. */
-#define EPSILON 1e-10
 
 /* ---- fog ---- */
 

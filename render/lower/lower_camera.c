@@ -6,8 +6,8 @@
 #include "lower/draft.h"
 
 #include "base/elementary.h"
+#include "base/epsilon.h"
 
-#define EPSILON		   1e-10
 #define RADIANS_PER_DEGREE 0.017453292519943296
 
 struct camera_items {

@@ -5,6 +5,7 @@
  */
 #include "looks.h"
 
+#include "base/epsilon.h"
 #include "lower/lower_function.h"
 #include "texture/patterns.h"
 #include "noise/noise.h"
@@ -12,7 +13,6 @@
 #include <string.h>
 
 /* A vector this short has no direction. */
-#define EPSILON 1e-10
 
 const struct pattern_state pattern_state_fresh = {
 	.turbulence = { .octaves = 6, .omega = 0.5f, .lambda = 2 },

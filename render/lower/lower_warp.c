@@ -4,8 +4,9 @@
  */
 #include "looks.h"
 
+#include "base/epsilon.h"
+
 /* A vector this short has no direction; periods this short do not repeat. */
-#define EPSILON 1e-10
 
 static double component(vec3 v, int axis)
 {

@@ -10,8 +10,8 @@
 #include "base/elementary.h"
 #include "noise/noise.h"
 
-#define HALF_PI 1.57079632679489661923
-#define TWO_PI	6.28318530717958647693
+#include <math.h>
+
 /* Below this cosine a narrow highlight counts as dark. */
 #define PHONG_CUTOFF 0.0008
 
@@ -19,7 +19,7 @@ rgb metallic_factor(float metallic, rgb pigment, double cosine)
 {
 	double fresnel = 0; /* a curve close to Fresnel's, for angles in quarter turns */
 	if (cosine <= 1) {
-		const double x = elementary_acos(fmax(-1, cosine)) / HALF_PI;
+		const double x = elementary_acos(fmax(-1, cosine)) / (M_PI / 2);
 		fresnel = 0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903;
 		fresnel = fmin(1, fmax(0, fresnel));
 	}
@@ -40,7 +40,7 @@ rgb irid_factor(const struct worker *w, const struct interaction *it, const stru
 			it->surface.point, 5, 0.5f, 2, settings->noise_generator);
 		thickness *= 1 + f->irid_turbulence * (2 * noise - 1);
 	}
-	const double phase = TWO_PI * thickness *
+	const double phase = 2 * M_PI * thickness *
 			     (fabs(vec_dot(lobe->normal, direction)) +
 				     fabs(vec_dot(lobe->normal, it->surface.direction)));
 	return (rgb){ (float)(1 + f->irid * elementary_cos(phase / wavelength.r)),

@@ -10,16 +10,21 @@
 
 /* The parts of the interaction at hand. */
 struct surface_memory {
-	struct texture_part parts[TEXTURE_PARTS_MAX];
+	struct texture_parts parts;
 };
 
 struct surface_memory *surface_memory_create(void)
 {
-	return memory_alloc(1, sizeof(struct surface_memory));
+	struct surface_memory *m = memory_alloc(1, sizeof *m);
+	*m = (struct surface_memory){ 0 };
+	return m;
 }
 
 void surface_memory_destroy(struct surface_memory *m)
 {
+	if (!m)
+		return;
+	free(m->parts.items);
 	free(m);
 }
 
@@ -64,9 +69,11 @@ void interaction_make(struct worker *w, struct interaction *it, const struct hit
 		it->part_count = 1;
 		return;
 	}
-	it->parts = w->surface->parts;
-	it->part_count =
-		texture_resolve(texture, p, &it->surface, it->parts, TEXTURE_PARTS_MAX, w->scratch);
+	struct texture_parts *parts = &w->surface->parts;
+	parts->count = 0;
+	texture_resolve(texture, p, &it->surface, parts, w->scratch);
+	it->parts = parts->items;
+	it->part_count = parts->count;
 }
 
 void interaction_keep(struct worker *w, struct interaction *it)

@@ -10,8 +10,7 @@
 
 struct resolving {
 	struct surface *surface;
-	struct texture_part *parts;
-	size_t count, room;
+	struct texture_parts *parts;
 	struct arena *scratch;
 };
 
@@ -50,6 +49,15 @@ static void resolve_map(struct resolving *r, const struct texture_map *map, vec3
 	resolve(r, map->textures[b.high], q, (float)((double)weight * b.share), frame);
 }
 
+static void part_push(struct texture_parts *parts, struct texture_part part)
+{
+	if (parts->count == parts->room) {
+		parts->room = parts->room ? 2 * parts->room : 16;
+		parts->items = memory_grow(parts->items, parts->room, sizeof *parts->items);
+	}
+	parts->items[parts->count++] = part;
+}
+
 static void resolve(struct resolving *r, const struct texture *texture, vec3 p, float weight,
 	const struct texture_frame *frame)
 {
@@ -63,16 +71,13 @@ static void resolve(struct resolving *r, const struct texture *texture, vec3 p, 
 			resolve_map(r, texture->map, p, weight, frame);
 		return;
 	}
-	if (r->count < r->room)
-		r->parts[r->count++] = (struct texture_part){ texture, weight, p, frame };
+	part_push(r->parts, (struct texture_part){ texture, weight, p, frame });
 }
 
-size_t texture_resolve(const struct texture *texture, vec3 p, struct surface *surface,
-	struct texture_part *parts, size_t room, struct arena *scratch)
+void texture_resolve(const struct texture *texture, vec3 p, struct surface *surface,
+	struct texture_parts *parts, struct arena *scratch)
 {
-	struct resolving r = { surface, parts, 0, room, scratch };
-	resolve(&r, texture, p, 1, NULL);
-	return r.count;
+	resolve(&(struct resolving){ surface, parts, scratch }, texture, p, 1, NULL);
 }
 
 static vec3 frame_enter(const struct texture_frame *frame, vec3 n)

@@ -8,7 +8,8 @@
 #include "base/elementary.h"
 #include "noise/noise.h"
 
-#define TWO_PI 6.28318530717958647692
+#include <math.h>
+
 /* Periods below this do not repeat. */
 #define PERIOD_MIN 1e-10
 
@@ -87,7 +88,7 @@ static double turn(double x, double z)
 		return x > 0 ? 0 : 0.5;
 	const double c = x / sqrt(x * x + z * z);
 	const double angle = elementary_acos(c < -1 ? -1 : c > 1 ? 1 : c);
-	return (z < 0 ? TWO_PI - angle : angle) / TWO_PI;
+	return (z < 0 ? 2 * M_PI - angle : angle) / (2 * M_PI);
 }
 
 static vec3 orient(const struct warp_wrap *w, vec3 p)
@@ -125,7 +126,7 @@ vec3 warp_spherical(const void *self, vec3 p)
 	const vec3 unit = vec_scale(p, 1 / length);
 	const double s = stretch(w, length), y = unit.y < -1 ? -1 : unit.y > 1 ? 1 : unit.y;
 	const double u = unit.x == 0 && unit.z == 0 ? 0 : turn(unit.x, unit.z);
-	return orient(w, vec(u * s, (0.5 + 2 * elementary_asin(y) / TWO_PI) * s, length));
+	return orient(w, vec(u * s, (0.5 + 2 * elementary_asin(y) / (2 * M_PI)) * s, length));
 }
 
 vec3 warp_toroidal(const void *self, vec3 p)
@@ -135,7 +136,7 @@ vec3 warp_toroidal(const void *self, vec3 p)
 	if (length == 0)
 		return p;
 	const double x = length - w->major_radius, m = sqrt(x * x + p.y * p.y);
-	double v = elementary_acos(-x / m) / TWO_PI;
+	double v = elementary_acos(-x / m) / (2 * M_PI);
 	if (p.y > 0)
 		v = 1 - v;
 	const double s = stretch(w, m);

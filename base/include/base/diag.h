@@ -22,12 +22,13 @@ enum severity { SEVERITY_NOTE, SEVERITY_WARNING, SEVERITY_ERROR };
 
 /* One resolved place. The strings live as long as the call to the sink. */
 struct place {
-	const char *file;    /* NULL: no place */
-	unsigned line;	     /* from 1 */
-	unsigned column;     /* from 1, in bytes */
-	unsigned length;     /* bytes to underline, at least 1 */
-	const char *text;    /* the line, without its end */
-	const char *context; /* for the entries of `chain`: "in macro Foo called here" … */
+	const char *file;     /* NULL: no place */
+	unsigned line;	      /* from 1 */
+	unsigned column;      /* from 1, in bytes */
+	unsigned length;      /* bytes to underline, at least 1 */
+	unsigned text_offset; /* bytes of the line before `text`: 0 but in a very long line */
+	const char *text;     /* the line, without its end; a part of a very long one */
+	const char *context;  /* for the entries of `chain`: "in macro Foo called here" … */
 };
 
 struct message {

@@ -4,7 +4,7 @@
  */
 #include "texture/patterns.h"
 
-#define EPSILON 1e-10
+#include "base/epsilon.h"
 
 struct brick {
 	vec3 size;

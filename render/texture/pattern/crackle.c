@@ -8,9 +8,8 @@
 #include "texture/patterns.h"
 
 #include "base/elementary.h"
+#include "base/epsilon.h"
 #include "noise/noise.h"
-
-#define EPSILON 1e-10
 
 static double cells_value(const struct pattern *pattern, vec3 q, struct surface *surface)
 {

@@ -4,9 +4,10 @@
  * chooses an item of a list.
  */
 #include "texture/patterns.h"
+
+#include "base/epsilon.h"
 #include "noise/noise.h"
 
-#define EPSILON	    1e-10
 #define HALF_ROOT_3 0.86602540378443864676
 
 static const float list_values[] = { 0, 1, 2 };

@@ -7,7 +7,7 @@
 
 #include "base/elementary.h"
 
-#define PI 3.14159265358979323846
+#include <math.h>
 
 struct gradient {
 	vec3 axis;
@@ -100,7 +100,7 @@ static double radial_value(const struct pattern *pattern, vec3 q, struct surface
 	(void)pattern, (void)surface;
 	if (fabs(q.x) < RADIAL_CORE && fabs(q.z) < RADIAL_CORE)
 		return 0.25;
-	return 0.25 + (elementary_atan2(q.x, q.z) + PI) / (2 * PI);
+	return 0.25 + (elementary_atan2(q.x, q.z) + M_PI) / (2 * M_PI);
 }
 
 static const float radial_values[] = { 0, 0.333f, 0.666f, 1 };

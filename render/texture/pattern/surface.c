@@ -6,9 +6,9 @@
 #include "texture/patterns.h"
 
 #include "base/elementary.h"
+#include "base/epsilon.h"
 
-#define EPSILON 1e-10
-#define PI	3.14159265358979323846
+#include <math.h>
 
 static double aoi_value(const struct pattern *pattern, vec3 q, struct surface *surface)
 {
@@ -17,7 +17,7 @@ static double aoi_value(const struct pattern *pattern, vec3 q, struct surface *s
 		return 0;
 	const double c =
 		vec_dot(vec_normalize(surface->current), vec_normalize(surface->direction));
-	return elementary_acos(c < -1 ? -1 : c > 1 ? 1 : c) / PI;
+	return elementary_acos(c < -1 ? -1 : c > 1 ? 1 : c) / M_PI;
 }
 const struct pattern_class pattern_aoi = { .name = "aoi", .value = aoi_value };
 
@@ -43,7 +43,7 @@ static double slope_value(const struct pattern *pattern, vec3 q, struct surface 
 	const vec3 direction =
 		s->is_point ? vec_normalize(vec_sub(s->direction, surface->point)) : s->direction;
 	const double c = vec_dot(surface->current, direction);
-	double a = (elementary_asin(c < -1 ? -1 : c > 1 ? 1 : c) * 2 / PI + 1) / 2;
+	double a = (elementary_asin(c < -1 ? -1 : c > 1 ? 1 : c) * 2 / M_PI + 1) / 2;
 	a = ranged(a, s->slope_low, s->slope_range);
 	if (!s->has_altitude)
 		return wrapped(a);

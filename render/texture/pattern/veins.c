@@ -9,7 +9,7 @@
 #include "base/elementary.h"
 #include "noise/noise.h"
 
-#define PI 3.14159265358979323846
+#include <math.h>
 
 /* What turbulence adds to the ramp: its x amount times scalar turbulence. */
 static double ramp_turbulence(const struct pattern *pattern, vec3 q)
@@ -81,9 +81,9 @@ static double spiral_ramp(const struct pattern *pattern, vec3 q)
 	const double r = sqrt(q.x * q.x + q.y * q.y);
 	double angle = 0;
 	if (r > 0)
-		angle = q.x >= 0 ? PI / 2 + elementary_asin(q.y / r)
-				 : 3 * PI / 2 - elementary_asin(q.y / r);
-	return q.z + r + spiral->arms * angle / (2 * PI) + ramp_turbulence(pattern, q);
+		angle = q.x >= 0 ? M_PI / 2 + elementary_asin(q.y / r)
+				 : 3 * M_PI / 2 - elementary_asin(q.y / r);
+	return q.z + r + spiral->arms * angle / (2 * M_PI) + ramp_turbulence(pattern, q);
 }
 
 static double spiral1_value(const struct pattern *pattern, vec3 q, struct surface *surface)

@@ -54,8 +54,8 @@ static inline int64_t floor_index(double x)
 /* sin(2 pi v), from the fraction of v. */
 static inline double cycloid(double v)
 {
-	return v >= 0 ? elementary_sin(2 * 3.14159265358979323846 * (v - floor(v)))
-		      : -elementary_sin(2 * 3.14159265358979323846 * (-v - floor(-v)));
+	return v >= 0 ? elementary_sin(2 * M_PI * (v - floor(v)))
+		      : -elementary_sin(2 * M_PI * (-v - floor(-v)));
 }
 
 /* 0 at integers, 1 in the middle between them. */

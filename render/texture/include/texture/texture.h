@@ -93,12 +93,16 @@ struct texture_part {
 	const struct texture_frame
 		*frame; /* enclosing patterned textures, for the normal; or NULL */
 };
-enum { TEXTURE_PARTS_MAX = 256 };
+/* A list of them, which memory_grow lengthens. */
+struct texture_parts {
+	struct texture_part *items;
+	size_t count, room;
+};
 
-/* Resolves maps, lists and averages at p. Returns the number of parts written. `scratch` holds
- * the frames; it is the worker's, reset after every sample. */
-size_t texture_resolve(const struct texture *, vec3 p, struct surface *, struct texture_part *parts,
-	size_t room, struct arena *scratch);
+/* Resolves maps, lists and averages at p and appends the parts. `scratch` holds the frames; it is
+ * the worker's, reset after every sample. */
+void texture_resolve(const struct texture *, vec3 p, struct surface *, struct texture_parts *parts,
+	struct arena *scratch);
 /* The perturbed normal of one layer of a part. */
 vec3 texture_part_normal(const struct texture_part *, const struct layer *, struct surface *);
 
