@@ -175,9 +175,12 @@ bool lambert_output_check(const char *path, unsigned width, unsigned height,
 bool lambert_image_write(const lambert_image *, const char *path,
 	const struct lambert_output_options *, lambert_message_function, void *user);
 
-/* How two picture files differ; samples are compared as stored, scaled to 0…255. */
+/* How two picture files differ, scaled to 0…255: as stored where both hold codes of the same curve, with
+ * the same kind of alpha; otherwise encoded as sRGB and multiplied by alpha. What a file says of its
+ * curve counts; else floats are linear and codes are sRGB. */
 struct lambert_difference {
 	unsigned width, height;
+	bool as_stored;
 	double maximum[4], rmse[4];	     /* red, green, blue, alpha */
 	double rmse_all, psnr;		     /* over red, green and blue */
 	double within_1, within_2, within_8; /* shares of pixels, all channels */
@@ -185,7 +188,8 @@ struct lambert_difference {
 	unsigned worst_x, worst_y;
 	double worst;
 };
-/* False: a file cannot be read or the sizes differ; the message says so. `heatmap`: a PNG to write, or
+/* False: a file cannot be read, the sizes differ, or one is a PGM and the other is not (nobody knows its
+ * curve); the message says so. `heatmap`: a PNG to write, or
  * NULL. */
 bool lambert_compare(const char *a, const char *b, const char *heatmap, struct lambert_difference *,
 	lambert_message_function, void *user);

@@ -292,6 +292,7 @@ static struct image *take_picture(struct module_picture *p)
 	image->premultiplied = p->is_premultiplied;
 	image->has_srgb = p->is_srgb;
 	image->gamma = p->gamma;
+	image->is_greymap = p->is_greymap;
 	const size_t count = (size_t)p->width * p->height * p->channels;
 	image->samples = memory_alloc(count, sizeof *image->samples);
 	memcpy(image->samples, p->samples, count * sizeof *image->samples);
@@ -340,6 +341,15 @@ struct image *image_read(const char *path, const char **why)
 	if (!image)
 		fail(why, "%s", text);
 	return image;
+}
+
+struct working_space image_curve(const struct image *image)
+{
+	if (image->bits > 16)
+		return (struct working_space){ .transfer = TRANSFER_LINEAR };
+	if (image->has_srgb || !(image->gamma > 0))
+		return (struct working_space){ .transfer = TRANSFER_SRGB };
+	return (struct working_space){ .transfer = TRANSFER_POWER, .gamma = image->gamma };
 }
 
 void image_destroy(struct image *image)

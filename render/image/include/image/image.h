@@ -51,8 +51,9 @@ struct image {
 	float *samples;			  /* row-major from the top left */
 	int bits;			  /* per sample in the file; 32 for floats */
 	bool premultiplied;
-	bool has_srgb; /* the file says so */
-	float gamma;   /* of the file; 0: not stated */
+	bool has_srgb;	 /* the file says so */
+	float gamma;	 /* of the file; 0: not stated */
+	bool is_greymap; /* PGM: does not say whether it holds sRGB or the numbers of a scene */
 	/* palette images keep their indices */
 	unsigned char *indices;
 	unsigned palette_size;
@@ -61,5 +62,12 @@ struct image {
 /* NULL on failure, with *why set. The format is recognised from the contents. */
 struct image *image_read(const char *path, const char **why);
 void image_destroy(struct image *);
+
+/* How the samples of the file stand for light: as the file says; else floats are linear and codes are
+ * sRGB. */
+struct working_space image_curve(const struct image *);
+bool image_same_curve(struct working_space, struct working_space);
+/* A number of one curve on another. */
+float image_convert(struct working_space from, struct working_space to, float x);
 
 #endif
