@@ -3,6 +3,7 @@
  * lambert's own options: --name, --name=value or --name value, and -o file. Most
  * are another spelling of a POV-Ray option and go through its row of the table.
  */
+#include "formats.h"
 #include "nearest.h"
 #include "options.h"
 
@@ -10,7 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum takes { TAKES_NOTHING, TAKES_VALUE, MAY_TAKE_VALUE };
 
@@ -67,25 +67,11 @@ static bool apply_jitter(struct options *o, const char *value)
 
 static bool apply_format(struct options *o, const char *value)
 {
-	static const struct {
-		const char *name, *letter;
-	} formats[] = {
-		{ "png", "N" },
-		{ "ppm", "P" },
-		{ "tga", "C" },
-		{ "bmp", "B" },
-		{ "jpeg", "J" },
-		{ "jpg", "J" },
-		{ "exr", "E" },
-		{ "hdr", "H" },
-		{ "tiff", "F" },
-		{ "tif", "F" },
-	};
-	for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
-		if (strcasecmp(value, formats[i].name) == 0)
-			return option_set(o, "Output_File_Type", formats[i].letter);
-	return option_error(o,
-		"the formats are png, ppm, tga, bmp, jpeg, exr, hdr and tiff, not \"%s\"", value);
+	struct lambert_format format;
+	if (!lambert_format_find(value, &format))
+		return option_error(
+			o, "the formats are %s, not \"%s\"", formats_names(&o->pool), value);
+	return option_set(o, "Output_File_Type", (const char[]){ format.letter, '\0' });
 }
 
 static bool apply_dither(struct options *o, const char *value)

@@ -6,6 +6,8 @@
  */
 #include "options.h"
 
+#include "formats.h"
+
 #include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
@@ -257,12 +259,10 @@ static bool is_true(const char *value)
 static bool apply_type(struct options *o, const char *value, bool is_switch)
 {
 	const char letter = (char)toupper((unsigned char)*value);
-	if (!letter || !strchr("NPTCBJEHF", letter))
-		return option_error(o,
-			"there is no file type \"%s\"; N is PNG, P PPM, T and C TGA, B BMP, J "
-			"JPEG, "
-			"E EXR, H HDR, F TIFF",
-			value);
+	struct lambert_format format;
+	if (!letter || !formats_find_letter(letter, &format))
+		return option_error(
+			o, "there is no file type \"%s\"; %s", value, formats_letters(&o->pool));
 	o->output_type = letter;
 	if (!is_switch || !value[1])
 		return true;
@@ -279,15 +279,15 @@ static bool apply_type(struct options *o, const char *value, bool is_switch)
 
 static bool apply_dither(struct options *o, const char *value)
 {
-	static const char *const names[] = { "B2", "B3", "B4", "D1", "D2", "FS" };
-	for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-		if (strcasecmp(value, names[i]) == 0) {
-			o->dither_method = names[i];
+	const char *name;
+	for (size_t i = 0; (name = lambert_dither_name(i)); i++) {
+		if (strcasecmp(value, name) == 0) {
+			o->dither_method = name;
 			return true;
 		}
 	}
 	return option_error(
-		o, "there is no dithering \"%s\"; there are B2, B3, B4, D1, D2 and FS", value);
+		o, "there is no dithering \"%s\"; there are %s", value, formats_dithers(&o->pool));
 }
 
 static bool apply_gamma(struct options *o, const struct option_row *row, const char *value)

@@ -153,14 +153,30 @@ void lambert_image_region(const lambert_image *, unsigned region[4]);
  * premultiplied), filter (0) and 1 - alpha. Lives as long as the image. */
 const float *lambert_image_pixels(const lambert_image *);
 
+/* A format of picture files. */
+struct lambert_format {
+	const char *name;	/* "jpeg" */
+	const char *extensions; /* "jpg jpeg": the usual one first */
+	char letter;		/* of POV-Ray's Output_File_Type */
+	bool grayscale, alpha;	/* what it can hold */
+	bool alpha_is_rarely_read;
+	bool is_float; /* linear, without limits */
+	int bits_max;
+};
+/* Format number i from 0; false: there are no more. */
+bool lambert_format_describe(size_t i, struct lambert_format *);
+/* By name or extension, in any letter case; false: there is none. */
+bool lambert_format_find(const char *name, struct lambert_format *);
+/* The name of kind number i of dithering from 0; NULL: there are no more. */
+const char *lambert_dither_name(size_t i);
+
 struct lambert_output_options {
-	char format; /* N png, P ppm, T tga, C tga compressed, B bmp, J jpeg, E exr, H hdr, F tiff;
-	                           0: from the extension of the path, else N */
-	int bits;    /* 5 to 16; 8 */
+	const char *format; /* a name; NULL: from the extension of the path, else "png" */
+	int bits;	    /* 5 to 16; 8 */
 	bool grayscale, alpha;
-	double file_gamma; /* 0: sRGB */
-	char dither[3];	   /* "": none; "B2" "B3" "B4" "D1" "D2" "FS" */
-	int quality;	   /* JPEG, 2 to 100; 0: 85 */
+	double file_gamma;  /* 0: sRGB */
+	const char *dither; /* a name; NULL: none */
+	int quality;	    /* JPEG, 2 to 100; 0: 85 */
 	/* Called for each row; false stops the writing. May be NULL. */
 	bool (*progress)(void *user, double share_done);
 	void *user;

@@ -189,11 +189,6 @@ unsigned encode_channels(const struct image_encoding *e)
 	return (e->grayscale ? 1u : 3u) + (e->alpha ? 1u : 0u);
 }
 
-static bool is_premultiplied(enum image_format format)
-{
-	return format == IMAGE_EXR;
-}
-
 /* Colour divided by alpha. A highlight on something transparent is brighter than its alpha allows;
  * alpha is raised for it. */
 static void make_straight(rgb *c, float *alpha)
@@ -212,7 +207,7 @@ static void pixel_samples(const struct image_encoding *e, colour c, float out[4]
 	if (e->grayscale)
 		light = rgb_grey(rgb_luminance(light));
 	float alpha = 1 - c.transmit;
-	if (e->alpha && !is_premultiplied(e->format))
+	if (e->alpha && !image_formats[e->format].is_premultiplied)
 		make_straight(&light, &alpha);
 	unsigned n = 0;
 	out[n++] = light.r;
