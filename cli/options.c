@@ -17,13 +17,23 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-#define OPTION(ini, letters, kind, field, sign, use, low, high)                                    \
-	{ ini, letters, KIND_##kind, offsetof(struct options, field),                              \
-		offsetof(struct options, sign), USE_##use, low, high },
+#define ROW(ini, letters, kind, field, sign, use, low, high)                                       \
+	ini, letters, KIND_##kind, offsetof(struct options, field),                                \
+		offsetof(struct options, sign), USE_##use, low, high
+#define OPTION(...) { ROW(__VA_ARGS__), NULL, NULL, 0, NULL, "", NULL },
+#define NAMED(ini, letters, kind, field, sign, use, low, high, name, value, shown, help)           \
+	{ ROW(ini, letters, kind, field, sign, use, low, high), name, value, shown, help, "",      \
+		NULL },
+#define OWN(name, letter, value, shown, read, help)                                                \
+	{ ROW("", "", BOOL, ignored_bool, none, QUIET, 0, 0), name, value, shown, help, letter,    \
+		read },
 const struct option_row option_rows[] = {
 #include "options.def"
 };
+#undef ROW
 #undef OPTION
+#undef NAMED
+#undef OWN
 const size_t option_count = sizeof option_rows / sizeof *option_rows;
 _Static_assert(sizeof option_rows / sizeof *option_rows <= OPTION_MAX, "raise OPTION_MAX");
 
@@ -469,6 +479,11 @@ static void apply_sign(struct options *o, size_t field, bool on)
 			note_set(o, &option_rows[i], on ? "On" : "Off");
 }
 
+bool option_has_sign(const struct option_row *row)
+{
+	return row->sign != NOWHERE;
+}
+
 bool option_apply(struct options *o, const struct option_row *row, const char *value,
 	bool is_switch, char sign)
 {
@@ -479,7 +494,7 @@ bool option_apply(struct options *o, const struct option_row *row, const char *v
 	if (!apply_value(o, row, value, is_switch))
 		return false;
 	note_set(o, row, value);
-	if (is_switch && row->sign != NOWHERE)
+	if (is_switch && option_has_sign(row))
 		apply_sign(o, row->sign, sign == '+');
 	return true;
 }

@@ -18,6 +18,11 @@
  * go to the callback of the options. A scene may be rendered from several
  * threads at once. Whatever was created is destroyed by its _destroy function;
  * destroying NULL does nothing.
+ *
+ * All callbacks run while the call that was given them runs, one at a time. Those
+ * of loading come from a thread of the library's own; the progress of rendering
+ * from any of the threads that render; those of writing and comparing from the
+ * caller's thread.
  */
 #ifndef LAMBERT_LAMBERT_H
 #define LAMBERT_LAMBERT_H

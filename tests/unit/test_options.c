@@ -275,6 +275,14 @@ static void named(const char *expected, const char *a, const char *b)
 	assert_string_equal(names_picture(&o, 0, 0), expected);
 }
 
+static const char *help_of(const char *name)
+{
+	for (size_t i = 0; i < option_count; i++)
+		if (option_rows[i].name && strcmp(option_rows[i].name, name) == 0)
+			return option_rows[i].help;
+	return "";
+}
+
 /* Each format of the library is chosen by its letter, its name and its extensions. */
 static void formats_are_found(void **state)
 {
@@ -292,6 +300,7 @@ static void formats_are_found(void **state)
 		assert_true(formats_find_path(path, &found));
 		assert_string_equal(found.extensions, f.extensions);
 		assert_non_null(strstr(formats_names(&o.pool), f.name));
+		assert_non_null(strstr(help_of("format"), f.name));
 	}
 	assert_true(count >= 9);
 	assert_false(lambert_format_find("", &found));
