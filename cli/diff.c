@@ -2,7 +2,8 @@
 /*
  * lambert diff a.png b.png: how two pictures differ. They match when 99.5 % of
  * the pixels are within 2/255 in every channel and the root mean square error is
- * at most 1.5/255; with --tolerance T when every sample is within T/255.
+ * at most 1.5/255; with --tolerance T when every sample is within T/255. The
+ * verdict names the rule that failed.
  */
 #include "commands.h"
 #include "messages.h"
@@ -13,6 +14,7 @@
 #include <string.h>
 
 static const double MATCH_SHARE = 0.995, MATCH_RMSE = 1.5;
+enum { FAILED_SIZE = 128 };
 
 struct request {
 	const char *pictures[2], *heatmap;
@@ -81,17 +83,31 @@ static bool read_request(struct request *r, int argc, char **argv)
 	return r->count == 2 || wrong("two pictures are needed", "");
 }
 
-static bool is_match(const struct request *r, const struct lambert_difference *d)
+/* The first rule that failed, as the verdict says it; "" for a match. */
+static void judge(
+	const struct request *r, const struct lambert_difference *d, char failed[FAILED_SIZE])
 {
-	if (r->has_tolerance)
-		return d->worst <= r->tolerance;
-	return d->within_2 >= MATCH_SHARE && d->rmse_all <= MATCH_RMSE;
+	*failed = '\0';
+	if (r->has_tolerance && !(d->worst <= r->tolerance))
+		snprintf(failed, FAILED_SIZE,
+			"a sample differs by %.4g of 255, more than the tolerance of %g", d->worst,
+			r->tolerance);
+	else if (r->has_tolerance)
+		return;
+	else if (!(d->within_2 >= MATCH_SHARE))
+		snprintf(failed, FAILED_SIZE,
+			"%.4g %% of the pixels are within 2 of 255, fewer than %g %%",
+			floor(1e4 * d->within_2) / 100, 100 * MATCH_SHARE);
+	else if (!(d->rmse_all <= MATCH_RMSE))
+		snprintf(failed, FAILED_SIZE, "the RMSE is %.4g of 255, more than %g", d->rmse_all,
+			MATCH_RMSE);
 }
 
-static void print_text(const struct lambert_difference *d, bool match)
+static void print_text(const struct lambert_difference *d, const char *failed)
 {
 	static const char *const names[4] = { "red", "green", "blue", "alpha" };
 	printf("size          %u x %u\n", d->width, d->height);
+	printf("compared      %s\n", d->as_stored ? "as stored" : "as sRGB");
 	for (int c = 0; c < 4; c++)
 		printf("%-6s        maximum %.4g, RMSE %.4f\n", names[c], d->maximum[c],
 			d->rmse[c]);
@@ -102,7 +118,7 @@ static void print_text(const struct lambert_difference *d, bool match)
 	printf("within 8      %.4f %%\n", 100 * d->within_8);
 	printf("lowest SSIM   %.6f\n", d->lowest_ssim);
 	printf("worst pixel   %u, %u: %.4g\n", d->worst_x, d->worst_y, d->worst);
-	printf("%s\n", match ? "match" : "no match");
+	printf("%s%s\n", *failed ? "no match: " : "match", failed);
 }
 
 /* Infinity has no spelling in JSON: null. */
@@ -114,7 +130,7 @@ static void print_number(const char *name, double value)
 		printf("\"%s\": null, ", name);
 }
 
-static void print_json(const struct lambert_difference *d, bool match)
+static void print_json(const struct lambert_difference *d, const char *failed)
 {
 	static const char *const names[4] = { "maximum_red", "maximum_green", "maximum_blue",
 		"maximum_alpha" };
@@ -128,8 +144,12 @@ static void print_json(const struct lambert_difference *d, bool match)
 	print_number("within_8", d->within_8);
 	print_number("lowest_ssim", d->lowest_ssim);
 	print_number("worst", d->worst);
-	printf("\"worst_x\": %u, \"worst_y\": %u, \"match\": %s}\n", d->worst_x, d->worst_y,
-		match ? "true" : "false");
+	printf("\"worst_x\": %u, \"worst_y\": %u, \"as_stored\": %s, ", d->worst_x, d->worst_y,
+		d->as_stored ? "true" : "false");
+	if (*failed)
+		printf("\"match\": false, \"failed\": \"%s\"}\n", failed);
+	else
+		printf("\"match\": true}\n");
 }
 
 static void take_message(void *user, const struct lambert_message *message)
@@ -145,10 +165,11 @@ int command_diff(int argc, char **argv)
 	if (!read_request(&r, argc, argv) ||
 		!lambert_compare(r.pictures[0], r.pictures[1], r.heatmap, &d, take_message, NULL))
 		return STATUS_ERROR;
-	const bool match = is_match(&r, &d);
+	char failed[FAILED_SIZE];
+	judge(&r, &d, failed);
 	if (r.json)
-		print_json(&d, match);
+		print_json(&d, failed);
 	else if (!r.quiet)
-		print_text(&d, match);
-	return match ? STATUS_OK : STATUS_ERROR;
+		print_text(&d, failed);
+	return *failed ? STATUS_ERROR : STATUS_OK;
 }

@@ -6,6 +6,8 @@
  */
 #include "names.h"
 
+#include "formats.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -80,41 +82,6 @@ bool names_may_write(struct options *o, const char *path)
 
 /* The picture */
 
-static const struct {
-	char letter;
-	const char *extension;
-} types[] = {
-	{ 'N', ".png" },
-	{ 'P', ".ppm" },
-	{ 'T', ".tga" },
-	{ 'C', ".tga" },
-	{ 'B', ".bmp" },
-	{ 'J', ".jpg" },
-	{ 'E', ".exr" },
-	{ 'H', ".hdr" },
-	{ 'F', ".tif" },
-	{ 'J', ".jpeg" }, /* further spellings, for names given with -o */
-	{ 'F', ".tiff" },
-	{ 'P', ".pgm" },
-};
-
-static const char *extension_of(char letter)
-{
-	for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-		if (types[i].letter == letter)
-			return types[i].extension;
-	return "";
-}
-
-/* The type that the name asks for; 0 when it has no extension, '?' for an unknown one. */
-static char letter_of(const char *path)
-{
-	for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-		if (text_ends_with(path, types[i].extension))
-			return types[i].letter == 'T' ? 'C' : types[i].letter;
-	return strchr(names_file_part(path), '.') ? '?' : 0;
-}
-
 static bool is_stream_name(const char *name)
 {
 	return strcmp(name, "-") == 0 || strcmp(name, "stdout") == 0;
@@ -127,19 +94,18 @@ static bool may_be_file(const char *path)
 	return !ends_exactly(path, "/") && (stat(path, &s) != 0 || S_ISREG(s.st_mode));
 }
 
-char names_format(const struct options *o)
+bool names_format(struct options *o, struct lambert_format *format)
 {
-	const char chosen = o->output_type ? o->output_type : 'N';
+	if (!formats_find_letter(o->output_type, format))
+		lambert_format_describe(0, format);
 	if (options_set(o, "Output_File_Type") == ORIGIN_USER || !o->output_is_exact ||
 		is_stream_name(o->output) || !may_be_file(o->output))
-		return chosen;
-	const char letter = letter_of(o->output);
-	if (letter == '?')
-		option_error(o,
-			"%s: the extension of the picture is none of .png .ppm .tga .bmp .jpg .exr "
-			".hdr .tif; add one, or choose with --format",
-			o->output);
-	return letter == '?' ? 0 : letter ? letter : chosen;
+		return true;
+	return formats_find_path(o->output, format) || !strchr(names_file_part(o->output), '.') ||
+	       option_error(o,
+		       "%s: the extension of the picture is none of %s; add one, or choose with "
+		       "--format",
+		       o->output, formats_extensions(&o->pool));
 }
 
 /* Where the extension of the file part begins. */
@@ -185,7 +151,10 @@ static const char *exact_name(struct options *o, const char *extension, int fram
 
 const char *names_picture(struct options *o, int frame, int digits)
 {
-	const char *extension = extension_of(names_format(o));
+	struct lambert_format format;
+	if (!names_format(o, &format))
+		return NULL;
+	const char *extension = formats_extension(&o->pool, &format);
 	if (o->output && is_stream_name(o->output))
 		return "-";
 	if (o->output && strcmp(o->output, "stderr") == 0)

@@ -8,8 +8,8 @@
 /* Where the scene is: as named, with .pov, in the folders of the library path. The name itself if
  * it is nowhere. */
 const char *names_scene(struct options *);
-/* The letter of the output format; 0 after a message. */
-char names_format(const struct options *);
+/* The format of the picture; false after a message. */
+bool names_format(struct options *, struct lambert_format *);
 /* The name of the picture, "-" for standard output. `frame` with `digits` digits is appended to its
  * stem; digits 0: no frame number. NULL after a message. */
 const char *names_picture(struct options *, int frame, int digits);

@@ -6,6 +6,8 @@
  */
 #include "options.h"
 
+#include "formats.h"
+
 #include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
@@ -15,13 +17,23 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-#define OPTION(ini, letters, kind, field, sign, use, low, high)                                    \
-	{ ini, letters, KIND_##kind, offsetof(struct options, field),                              \
-		offsetof(struct options, sign), USE_##use, low, high },
+#define ROW(ini, letters, kind, field, sign, use, low, high)                                       \
+	ini, letters, KIND_##kind, offsetof(struct options, field),                                \
+		offsetof(struct options, sign), USE_##use, low, high
+#define OPTION(...) { ROW(__VA_ARGS__), NULL, NULL, 0, NULL, "", NULL },
+#define NAMED(ini, letters, kind, field, sign, use, low, high, name, value, shown, help)           \
+	{ ROW(ini, letters, kind, field, sign, use, low, high), name, value, shown, help, "",      \
+		NULL },
+#define OWN(name, letter, value, shown, read, help)                                                \
+	{ ROW("", "", BOOL, ignored_bool, none, QUIET, 0, 0), name, value, shown, help, letter,    \
+		read },
 const struct option_row option_rows[] = {
 #include "options.def"
 };
+#undef ROW
 #undef OPTION
+#undef NAMED
+#undef OWN
 const size_t option_count = sizeof option_rows / sizeof *option_rows;
 _Static_assert(sizeof option_rows / sizeof *option_rows <= OPTION_MAX, "raise OPTION_MAX");
 
@@ -257,12 +269,10 @@ static bool is_true(const char *value)
 static bool apply_type(struct options *o, const char *value, bool is_switch)
 {
 	const char letter = (char)toupper((unsigned char)*value);
-	if (!letter || !strchr("NPTCBJEHF", letter))
-		return option_error(o,
-			"there is no file type \"%s\"; N is PNG, P PPM, T and C TGA, B BMP, J "
-			"JPEG, "
-			"E EXR, H HDR, F TIFF",
-			value);
+	struct lambert_format format;
+	if (!letter || !formats_find_letter(letter, &format))
+		return option_error(
+			o, "there is no file type \"%s\"; %s", value, formats_letters(&o->pool));
 	o->output_type = letter;
 	if (!is_switch || !value[1])
 		return true;
@@ -279,15 +289,15 @@ static bool apply_type(struct options *o, const char *value, bool is_switch)
 
 static bool apply_dither(struct options *o, const char *value)
 {
-	static const char *const names[] = { "B2", "B3", "B4", "D1", "D2", "FS" };
-	for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-		if (strcasecmp(value, names[i]) == 0) {
-			o->dither_method = names[i];
+	const char *name;
+	for (size_t i = 0; (name = lambert_dither_name(i)); i++) {
+		if (strcasecmp(value, name) == 0) {
+			o->dither_method = name;
 			return true;
 		}
 	}
 	return option_error(
-		o, "there is no dithering \"%s\"; there are B2, B3, B4, D1, D2 and FS", value);
+		o, "there is no dithering \"%s\"; there are %s", value, formats_dithers(&o->pool));
 }
 
 static bool apply_gamma(struct options *o, const struct option_row *row, const char *value)
@@ -471,6 +481,11 @@ static void apply_sign(struct options *o, size_t field, bool on)
 			note_set(o, &option_rows[i], on ? "On" : "Off");
 }
 
+bool option_has_sign(const struct option_row *row)
+{
+	return row->sign != NOWHERE;
+}
+
 bool option_apply(struct options *o, const struct option_row *row, const char *value,
 	bool is_switch, char sign)
 {
@@ -481,7 +496,7 @@ bool option_apply(struct options *o, const struct option_row *row, const char *v
 	if (!apply_value(o, row, value, is_switch))
 		return false;
 	note_set(o, row, value);
-	if (is_switch && row->sign != NOWHERE)
+	if (is_switch && option_has_sign(row))
 		apply_sign(o, row->sign, sign == '+');
 	return true;
 }

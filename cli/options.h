@@ -134,6 +134,15 @@ bool options_read(struct options *, int argc, char **argv);
 /* Whether the option of this INI name was set, and by whom. */
 enum origin options_set(const struct options *, const char *ini_name);
 
+/* The commands whose help shows an option. */
+enum option_shown {
+	SHOWN_NOWHERE = 0,
+	SHOWN_RENDER = 1,
+	SHOWN_CHECK = 2,
+	SHOWN_AST = 4,
+	SHOWN_SCENE = SHOWN_RENDER | SHOWN_CHECK | SHOWN_AST, /* what a scene can see */
+};
+
 /* One row of options.def. */
 struct option_row {
 	const char *ini, *letters;
@@ -141,12 +150,21 @@ struct option_row {
 	size_t field, sign; /* offsets in struct options; that of `none`: nothing */
 	enum option_use use;
 	double low, high; /* of a number; equal: any */
+	const char *name; /* of the long option; NULL: none */
+	const char *value;
+	unsigned shown;
+	const char *help;
+	const char *letter; /* -o */
+	/* Reads what has a structure of its own; NULL: the row does. `value` is NULL when none is given. */
+	bool (*read)(struct options *, const char *value);
 };
 extern const struct option_row option_rows[];
 extern const size_t option_count;
 /* NULL when there is none of this name (any letter case). */
 const struct option_row *option_find(const char *name, size_t length);
 
+/* Whether it has a sign beside its value. */
+bool option_has_sign(const struct option_row *);
 /* Sets an option from its value; false after a message. `is_switch`: from a switch with `sign`. */
 bool option_apply(
 	struct options *, const struct option_row *, const char *value, bool is_switch, char sign);
@@ -159,6 +177,13 @@ bool ini_read_default(struct options *);
 /* An argument of lambert's own style; *used is the number of arguments it took, 0 if it is none.
  * False after a message. */
 bool long_option_read(struct options *, int argc, char **argv, int *used);
+/* The long options that have a structure of their own. */
+bool read_output(struct options *, const char *value);
+bool read_size(struct options *, const char *value);
+bool read_antialias(struct options *, const char *value);
+bool read_declare(struct options *, const char *value);
+bool read_format(struct options *, const char *value);
+bool read_dither(struct options *, const char *value);
 /* Writes the options that were set, in the syntax of INI files. */
 bool options_write_ini(const struct options *, const char *path);
 

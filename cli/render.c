@@ -70,7 +70,8 @@ static bool write_picture(struct job *job)
 	struct lambert_output_options options;
 	if (!job->picture)
 		return true;
-	setup_output(job->options, &options);
+	if (!setup_output(job->options, &options))
+		return false;
 	options.progress = is_wanted;
 	return lambert_image_write(
 		job->image, job->picture, &options, messages_take, &job->messages);
@@ -113,11 +114,8 @@ static bool choose_picture(struct job *job, const struct frames *frames, int fra
 {
 	struct options *o = job->options;
 	struct lambert_output_options output;
-	if (!names_format(o))
-		return false;
 	job->picture = names_picture(o, frame, frames->digits);
-	setup_output(o, &output);
-	return job->picture && names_may_write(o, job->picture) &&
+	return job->picture && names_may_write(o, job->picture) && setup_output(o, &output) &&
 	       lambert_output_check(job->picture, (unsigned)o->width, (unsigned)o->height, &output,
 		       refuse, NULL);
 }
@@ -137,14 +135,16 @@ static int render_frame(struct options *o, const struct frames *frames, int fram
 	return status;
 }
 
-static void warn_of_alpha(const struct options *o)
+static void warn_of_alpha(struct options *o)
 {
-	const char format = o->output_to_file && o->output_alpha ? names_format(o) : 0;
-	if (format && strchr("PJH", format))
+	struct lambert_format format;
+	if (!o->output_to_file || !o->output_alpha || !names_format(o, &format))
+		return;
+	if (!format.alpha)
 		option_warning(
 			o, "the format of the picture has no alpha channel: it is not stored");
-	if (format == 'B')
-		option_warning(o, "few programs read the alpha channel of a BMP");
+	else if (format.alpha_is_rarely_read)
+		option_warning(o, "few programs read the alpha channel of a %s", format.name);
 }
 
 static int render_frames(struct options *o)

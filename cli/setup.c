@@ -224,15 +224,19 @@ bool setup_check(struct options *o)
 	return true;
 }
 
-void setup_output(const struct options *o, struct lambert_output_options *output)
+bool setup_output(struct options *o, struct lambert_output_options *output)
 {
 	lambert_output_options_init(output);
-	output->format = names_format(o);
+	struct lambert_format format;
+	if (!names_format(o, &format))
+		return false;
+	output->format = format.name;
 	output->bits = clamp(o->bits, 5, 16);
 	output->grayscale = o->grayscale;
 	output->alpha = o->output_alpha;
 	output->file_gamma = (double)o->file_gamma;
 	if (o->dither)
-		snprintf(output->dither, sizeof output->dither, "%s", o->dither_method);
+		output->dither = o->dither_method;
 	output->quality = o->compression < 2 ? 0 : clamp(o->compression, 2, 100);
+	return true;
 }

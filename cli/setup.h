@@ -14,6 +14,7 @@ void setup_scene(struct options *, struct messages *, const struct frames *, int
 	struct lambert_scene_options *);
 /* False after a message: the region is not in the picture. */
 bool setup_render(const struct options *, struct lambert_render_options *);
-void setup_output(const struct options *, struct lambert_output_options *);
+/* False after a message: the name of the picture has no format. */
+bool setup_output(struct options *, struct lambert_output_options *);
 
 #endif

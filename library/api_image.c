@@ -10,7 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 static_assert(
 	sizeof(colour) == 5 * sizeof(float), "lambert_image_pixels hands out colours as floats");
@@ -52,80 +51,40 @@ void lambert_output_options_init(struct lambert_output_options *options)
 	*options = (struct lambert_output_options){ .bits = 8 };
 }
 
-static const struct {
-	char letter;
-	enum image_format format;
-} letters[] = {
-	{ 'N', IMAGE_PNG },
-	{ 'P', IMAGE_PPM },
-	{ 'T', IMAGE_TGA },
-	{ 'C', IMAGE_TGA_RLE },
-	{ 'B', IMAGE_BMP },
-	{ 'J', IMAGE_JPEG },
-	{ 'E', IMAGE_EXR },
-	{ 'H', IMAGE_HDR },
-	{ 'F', IMAGE_TIFF },
-};
+bool lambert_format_describe(size_t i, struct lambert_format *format)
+{
+	if (i >= IMAGE_FORMAT_COUNT)
+		return false;
+	const struct image_format_class *f = &image_formats[i];
+	*format = (struct lambert_format){
+		.name = f->name,
+		.extensions = f->extensions,
+		.letter = f->letter,
+		.grayscale = f->grayscale,
+		.alpha = f->alpha,
+		.alpha_is_rarely_read = f->alpha_is_rarely_read,
+		.is_float = f->is_float,
+		.bits_max = f->bits_max,
+	};
+	return true;
+}
 
-static const struct {
-	const char *extension;
-	enum image_format format;
-} extensions[] = {
-	{ "ppm", IMAGE_PPM },
-	{ "pgm", IMAGE_PPM },
-	{ "tga", IMAGE_TGA },
-	{ "bmp", IMAGE_BMP },
-	{ "jpg", IMAGE_JPEG },
-	{ "jpeg", IMAGE_JPEG },
-	{ "exr", IMAGE_EXR },
-	{ "hdr", IMAGE_HDR },
-	{ "tif", IMAGE_TIFF },
-	{ "tiff", IMAGE_TIFF },
-};
+bool lambert_format_find(const char *name, struct lambert_format *format)
+{
+	enum image_format found;
+	return image_find_format(name, &found) && lambert_format_describe(found, format);
+}
 
-static const char *const dithers[] = {
-	[DITHER_NONE] = "",
-	[DITHER_B2] = "B2",
-	[DITHER_B3] = "B3",
-	[DITHER_B4] = "B4",
-	[DITHER_D1] = "D1",
-	[DITHER_D2] = "D2",
-	[DITHER_FS] = "FS",
-};
+const char *lambert_dither_name(size_t i)
+{
+	return i + 1 < DITHER_COUNT ? image_dithers[i + 1] : NULL;
+}
 
 static enum image_format format_of_path(const char *path)
 {
 	const char *dot = strrchr(path, '.');
-	for (size_t i = 0; dot && i < sizeof extensions / sizeof *extensions; i++)
-		if (strcasecmp(dot + 1, extensions[i].extension) == 0)
-			return extensions[i].format;
-	return IMAGE_PNG;
-}
-
-static bool find_format(char letter, const char *path, enum image_format *format)
-{
-	if (!letter) {
-		*format = format_of_path(path);
-		return true;
-	}
-	for (size_t i = 0; i < sizeof letters / sizeof *letters; i++) {
-		if (letters[i].letter == letter) {
-			*format = letters[i].format;
-			return true;
-		}
-	}
-	return false;
-}
-
-static bool find_dither(const char *name, enum dither *dither)
-{
-	for (size_t i = 0; i < sizeof dithers / sizeof *dithers; i++) {
-		if (strncmp(dithers[i], name, 3) == 0) {
-			*dither = (enum dither)i;
-			return true;
-		}
-	}
-	return false;
+	enum image_format format;
+	return dot && image_find_format(dot + 1, &format) ? format : IMAGE_PNG;
 }
 
 /* Sets what the caller chose. False with a reason. */
@@ -142,11 +101,13 @@ static bool choose_encoding(const struct lambert_output_options *options, const 
 			.gamma = (float)options->file_gamma },
 		.quality = options->quality,
 	};
-	if (!find_format(options->format, path, &e->format)) {
+	if (!options->format) {
+		e->format = format_of_path(path);
+	} else if (!image_find_format(options->format, &e->format)) {
 		*why = "the format is unknown";
 		return false;
 	}
-	if (!find_dither(options->dither, &e->dither)) {
+	if (!image_find_dither(options->dither ? options->dither : "", &e->dither)) {
 		*why = "the kind of dithering is unknown";
 		return false;
 	}

@@ -2,7 +2,11 @@
 /*
  * How two picture files differ: per channel, over all, by shares of pixels within
  * a distance, and by structural similarity (Wang et al. 2004) of the luminance in
- * blocks of 8 x 8. Samples are compared as stored, on a scale of 0 to 255.
+ * blocks of 8 x 8, on a scale of 0 to 255.
+ *
+ * Codes of the same curve are compared as stored. Otherwise both pictures are
+ * first brought to one space: encoded as sRGB, times alpha, and within 0 to 1 as
+ * soon as one of the files can hold no more.
  */
 #include "lambert/lambert.h"
 
@@ -17,6 +21,7 @@
 #include <string.h>
 
 enum { BLOCK = 8 };
+
 static void complain(lambert_message_function message, void *user, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 static void complain(lambert_message_function message, void *user, const char *format, ...)
@@ -30,6 +35,78 @@ static void complain(lambert_message_function message, void *user, const char *f
 		message(user, &(struct lambert_message){ .severity = LAMBERT_ERROR, .text = text });
 }
 
+/* One space */
+
+static bool has_alpha(const struct image *image)
+{
+	return image->channels % 2 == 0;
+}
+
+/* Alpha that is straight in one and multiplied in in the other, or a curve of its own. Floats are never
+ * alike: a distance of linear light says little of what is seen. */
+static bool are_stored_alike(const struct image *a, const struct image *b)
+{
+	const bool same_alpha =
+		!has_alpha(a) || !has_alpha(b) || a->premultiplied == b->premultiplied;
+	return same_alpha && a->bits <= 16 && b->bits <= 16 &&
+	       image_same_curve(image_curve(a), image_curve(b));
+}
+
+/* Undoes the product with alpha. Where a colour is brighter than its alpha allows, alpha is raised, as
+ * it is when a picture with straight alpha is written. */
+static void make_straight(float *sample, unsigned colours)
+{
+	float *alpha = &sample[colours];
+	const float light =
+		colours == 1 ? sample[0] : rgb_luminance((rgb){ sample[0], sample[1], sample[2] });
+	if (light > *alpha)
+		*alpha = fminf(1, light);
+	for (unsigned c = 0; c < colours; c++)
+		sample[c] = *alpha > 0 ? sample[c] / *alpha : 0;
+}
+
+/* What is not a number stays so: it differs from everything. */
+static float clip(float x)
+{
+	return x < 0 ? 0 : x > 1 ? 1 : x;
+}
+
+static void bring_to_srgb(struct image *image, bool clipped)
+{
+	static const struct working_space linear = { .transfer = TRANSFER_LINEAR },
+					  srgb = { .transfer = TRANSFER_SRGB };
+	const struct working_space curve = image_curve(image);
+	const unsigned colours = image->channels - has_alpha(image);
+	const size_t pixels = (size_t)image->width * image->height;
+	for (size_t i = 0; i < pixels; i++) {
+		float *s = image->samples + i * image->channels;
+		for (unsigned c = 0; c < colours; c++)
+			s[c] = image_convert(curve, linear, s[c]);
+		if (has_alpha(image) && image->premultiplied)
+			make_straight(s, colours);
+		for (unsigned c = 0; c < colours; c++) {
+			s[c] = image_convert(linear, srgb, clipped ? clip(s[c]) : s[c]);
+			s[c] *= has_alpha(image) ? s[colours] : 1;
+		}
+	}
+	image->bits = 32;
+}
+
+/* False when nobody knows how the numbers of one stand for those of the other. */
+static bool bring_together(struct image *a, struct image *b)
+{
+	if (a->is_greymap != b->is_greymap)
+		return false;
+	if (are_stored_alike(a, b))
+		return true;
+	const bool clipped = a->bits <= 16 || b->bits <= 16;
+	bring_to_srgb(a, clipped);
+	bring_to_srgb(b, clipped);
+	return true;
+}
+
+/* Measures */
+
 /* A sample on the scale of 0 to 255. Codes of up to 16 bits come out exactly, so that equal distances
  * of codes are equal numbers. */
 static double scaled(const struct image *image, float sample)
@@ -42,10 +119,9 @@ static void rgba(const struct image *image, size_t i, double out[4])
 {
 	const float *s = image->samples + i * image->channels;
 	const bool is_grey = image->channels < 3;
-	const bool has_alpha = image->channels % 2 == 0;
 	for (unsigned c = 0; c < 3; c++)
 		out[c] = scaled(image, s[is_grey ? 0 : c]);
-	out[3] = has_alpha ? scaled(image, s[image->channels - 1]) : 255;
+	out[3] = has_alpha(image) ? scaled(image, s[image->channels - 1]) : 255;
 }
 
 static double luminance(const struct image *image, size_t i)
@@ -183,7 +259,7 @@ static struct image *read_picture(const char *path, lambert_message_function mes
 	return image;
 }
 
-static bool measure(const struct image *a, const struct image *b, const char *heatmap,
+static bool measure(struct image *a, struct image *b, const char *heatmap,
 	struct lambert_difference *d, lambert_message_function message, void *user)
 {
 	if (a->width != b->width || a->height != b->height) {
@@ -191,7 +267,15 @@ static bool measure(const struct image *a, const struct image *b, const char *he
 			a->width, a->height, b->width, b->height);
 		return false;
 	}
-	*d = (struct lambert_difference){ .width = a->width, .height = a->height };
+	if (!bring_together(a, b)) {
+		complain(message, user,
+			"a PGM does not say whether it holds sRGB or the numbers of a scene: it is "
+			"compared with a PGM only");
+		return false;
+	}
+	*d = (struct lambert_difference){
+		.width = a->width, .height = a->height, .as_stored = a->bits <= 16
+	};
 	measure_pixels(a, b, d);
 	d->lowest_ssim = lowest_ssim(a, b);
 	return !heatmap || write_heatmap(a, b, heatmap, message, user);

@@ -18,6 +18,11 @@
  * go to the callback of the options. A scene may be rendered from several
  * threads at once. Whatever was created is destroyed by its _destroy function;
  * destroying NULL does nothing.
+ *
+ * All callbacks run while the call that was given them runs, one at a time. Those
+ * of loading come from a thread of the library's own; the progress of rendering
+ * from any of the threads that render; those of writing and comparing from the
+ * caller's thread.
  */
 #ifndef LAMBERT_LAMBERT_H
 #define LAMBERT_LAMBERT_H
@@ -157,14 +162,30 @@ void lambert_image_region(const lambert_image *, unsigned region[4]);
  * premultiplied), filter (0) and 1 - alpha. Lives as long as the image. */
 const float *lambert_image_pixels(const lambert_image *);
 
+/* A format of picture files. */
+struct lambert_format {
+	const char *name;	/* "jpeg" */
+	const char *extensions; /* "jpg jpeg": the usual one first */
+	char letter;		/* of POV-Ray's Output_File_Type */
+	bool grayscale, alpha;	/* what it can hold */
+	bool alpha_is_rarely_read;
+	bool is_float; /* linear, without limits */
+	int bits_max;
+};
+/* Format number i from 0; false: there are no more. */
+bool lambert_format_describe(size_t i, struct lambert_format *);
+/* By name or extension, in any letter case; false: there is none. */
+bool lambert_format_find(const char *name, struct lambert_format *);
+/* The name of kind number i of dithering from 0; NULL: there are no more. */
+const char *lambert_dither_name(size_t i);
+
 struct lambert_output_options {
-	char format; /* N png, P ppm, T tga, C tga compressed, B bmp, J jpeg, E exr, H hdr, F tiff;
-	                           0: from the extension of the path, else N */
-	int bits;    /* 5 to 16; 8 */
+	const char *format; /* a name; NULL: from the extension of the path, else "png" */
+	int bits;	    /* 5 to 16; 8 */
 	bool grayscale, alpha;
-	double file_gamma; /* 0: sRGB */
-	char dither[3];	   /* "": none; "B2" "B3" "B4" "D1" "D2" "FS" */
-	int quality;	   /* JPEG, 2 to 100; 0: 85 */
+	double file_gamma;  /* 0: sRGB */
+	const char *dither; /* a name; NULL: none */
+	int quality;	    /* JPEG, 2 to 100; 0: 85 */
 	/* Called for each row; false stops the writing. May be NULL. */
 	bool (*progress)(void *user, double share_done);
 	void *user;
@@ -179,9 +200,12 @@ bool lambert_output_check(const char *path, unsigned width, unsigned height,
 bool lambert_image_write(const lambert_image *, const char *path,
 	const struct lambert_output_options *, lambert_message_function, void *user);
 
-/* How two picture files differ; samples are compared as stored, scaled to 0…255. */
+/* How two picture files differ, scaled to 0…255: as stored where both hold codes of the same curve, with
+ * the same kind of alpha; otherwise encoded as sRGB and multiplied by alpha. What a file says of its
+ * curve counts; else floats are linear and codes are sRGB. */
 struct lambert_difference {
 	unsigned width, height;
+	bool as_stored;
 	double maximum[4], rmse[4];	     /* red, green, blue, alpha */
 	double rmse_all, psnr;		     /* over red, green and blue */
 	double within_1, within_2, within_8; /* shares of pixels, all channels */
@@ -189,7 +213,8 @@ struct lambert_difference {
 	unsigned worst_x, worst_y;
 	double worst;
 };
-/* False: a file cannot be read or the sizes differ; the message says so. `heatmap`: a PNG to write, or
+/* False: a file cannot be read, the sizes differ, or one is a PGM and the other is not (nobody knows its
+ * curve); the message says so. `heatmap`: a PNG to write, or
  * NULL. */
 bool lambert_compare(const char *a, const char *b, const char *heatmap, struct lambert_difference *,
 	lambert_message_function, void *user);

@@ -37,51 +37,23 @@ static bool fail(const char **why, const char *format, ...)
 	return false;
 }
 
-/* Formats */
-
-struct format {
-	const char *name;		       /* for messages */
-	const char *module_name, *compression; /* NULL: written here */
-	bool (*write)(FILE *, const struct raster *, char *reason);
-	bool grayscale, alpha, is_float;
-	int bits_max;
-	unsigned side_max; /* pixels; of PNG: what its usual readers accept */
-	double bytes_max;  /* of samples; 0: no limit */
-};
-
-// clang-format off
-static const struct format formats[] = {
-	[IMAGE_PNG]     = { "PNG",  NULL,      NULL,   png_write, true,  true,  false, 16, 1000000, 0 },
-	[IMAGE_PPM]     = { "PPM",  NULL,      NULL,   pnm_write, true,  false, false, 16, INT_MAX, 0 },
-	[IMAGE_TGA]     = { "TGA",  "targa",   "none", NULL,      false, true,  false, 8,  65535,   4294967000 },
-	[IMAGE_TGA_RLE] = { "TGA",  "targa",   "rle",  NULL,      false, true,  false, 8,  65535,   4294967000 },
-	[IMAGE_BMP]     = { "BMP",  "bmp",     "",     NULL,      false, true,  false, 8,  INT_MAX, 2147483000 },
-	[IMAGE_JPEG]    = { "JPEG", "jpeg",    "",     NULL,      false, false, false, 8,  65500,   0 },
-	[IMAGE_EXR]     = { "EXR",  "openexr", "zip",  NULL,      false, true,  true,  32, INT_MAX, 0 },
-	[IMAGE_HDR]     = { "HDR",  "hdr",     "",     NULL,      false, false, true,  32, INT_MAX, 0 },
-	[IMAGE_TIFF]    = { "TIFF", "tiff",    "zip",  NULL,      false, true,  false, 16, INT_MAX, 0 },
-};
-// clang-format on
-
 /* The settings as the format can hold them. */
 static struct image_encoding fitted(const struct image_encoding *wanted)
 {
 	struct image_encoding e = *wanted;
-	const struct format *f = &formats[e.format];
+	const struct image_format_class *f = &image_formats[e.format];
 	if (e.bits > f->bits_max)
 		e.bits = f->bits_max;
-	if (f->bits_max == 8)
-		e.bits = 8;
-	if (e.format == IMAGE_TIFF)
+	if (f->whole_bytes)
 		e.bits = e.bits > 8 ? 16 : 8;
 	if (!f->alpha)
 		e.alpha = false;
-	if (e.format == IMAGE_JPEG || f->is_float)
+	if (f->never_dithered)
 		e.dither = DITHER_NONE;
-	if (e.grayscale && e.format == IMAGE_PNG)
-		e.bits = 16;
-	if (e.grayscale && e.format == IMAGE_PPM)
-		e.file = e.working; /* greymaps hold the numbers of the scene */
+	if (e.grayscale && f->grayscale_bits)
+		e.bits = f->grayscale_bits;
+	if (e.grayscale && f->grayscale_is_raw)
+		e.file = e.working;
 	return e;
 }
 
@@ -123,16 +95,16 @@ static struct raster raster_of(
 		.width = film->width,
 		.height = film->height,
 		.channels = encode_channels(e),
-		.sample_bits = formats[e->format].is_float ? 32
-			       : e->bits <= 8		   ? 8
-							   : 16,
+		.sample_bits = image_formats[e->format].is_float ? 32
+			       : e->bits <= 8			 ? 8
+								 : 16,
 		.bits = e->bits,
 		.row = next_row,
 		.source = rows,
 		.row_bytes = encoder_row_bytes(rows->encoder),
 		.gamma = file_gamma(e),
 		.is_srgb = e->file.transfer == TRANSFER_SRGB || e->file.transfer == TRANSFER_NONE,
-		.is_premultiplied = e->format == IMAGE_EXR,
+		.is_premultiplied = image_formats[e->format].is_premultiplied,
 		.quality = e->quality < 2     ? 85
 			   : e->quality > 100 ? 100
 					      : e->quality,
@@ -151,7 +123,7 @@ static bool close_file(FILE *file, const char **why)
 }
 
 static bool write_stream(
-	FILE *file, const struct raster *r, const struct format *f, const char **why)
+	FILE *file, const struct raster *r, const struct image_format_class *f, const char **why)
 {
 	char text[REASON_SIZE] = "";
 	const bool written = f->write(file, r, text);
@@ -159,8 +131,8 @@ static bool write_stream(
 	return closed && (written || fail(why, "%s", text));
 }
 
-static bool write_module(
-	const char *path, const struct raster *r, const struct format *f, const char **why)
+static bool write_module(const char *path, const struct raster *r,
+	const struct image_format_class *f, const char **why)
 {
 	char text[REASON_SIZE] = "";
 	const struct image_module *module = image_module_open(text);
@@ -169,8 +141,8 @@ static bool write_module(
 	return true;
 }
 
-static bool write_path(
-	const char *path, const struct raster *r, const struct format *f, const char **why)
+static bool write_path(const char *path, const struct raster *r, const struct image_format_class *f,
+	const char **why)
 {
 	if (f->module_name)
 		return write_module(path, r, f, why);
@@ -205,7 +177,8 @@ static int open_nameless(const char **why)
 }
 
 /* The module writes files only: by way of a temporary one. */
-static bool write_stdout(const struct raster *r, const struct format *f, const char **why)
+static bool write_stdout(
+	const struct raster *r, const struct image_format_class *f, const char **why)
 {
 	if (!f->module_name)
 		return write_stream(stdout, r, f, why);
@@ -219,8 +192,8 @@ static bool write_stdout(const struct raster *r, const struct format *f, const c
 	return ok;
 }
 
-static bool write_file(
-	const char *path, const struct raster *r, const struct format *f, const char **why)
+static bool write_file(const char *path, const struct raster *r, const struct image_format_class *f,
+	const char **why)
 {
 	struct target target;
 	struct rows *rows = r->source;
@@ -237,16 +210,16 @@ static bool write_file(
 static bool check_format(
 	unsigned width, unsigned height, const struct image_encoding *e, const char **why)
 {
-	const struct format *f = &formats[e->format];
+	const struct image_format_class *f = &image_formats[e->format];
 	if (e->grayscale && !f->grayscale)
-		return fail(why, "%s has no grayscale here; PNG and PPM have", f->name);
+		return fail(why, "%s has no grayscale here; PNG and PPM have", f->title);
 	if (width > f->side_max || height > f->side_max)
 		return fail(why, "%u x %u pixels are too many for %s; a side has at most %u", width,
-			height, f->name, f->side_max);
+			height, f->title, f->side_max);
 	const double bytes = (double)width * height * encode_channels(e);
 	if (f->bytes_max > 0 && bytes > f->bytes_max)
 		return fail(why, "%u x %u pixels are too many for %s; it has at most %.0f bytes",
-			width, height, f->name, f->bytes_max);
+			width, height, f->title, f->bytes_max);
 	return true;
 }
 
@@ -263,7 +236,7 @@ bool image_write(const struct film *film, const struct image_encoding *wanted, c
 	bool (*progress)(void *user, double share_done), void *user, const char **why)
 {
 	const struct image_encoding e = fitted(wanted);
-	const struct format *f = &formats[e.format];
+	const struct image_format_class *f = &image_formats[e.format];
 	if (!check_format(film->width, film->height, &e, why))
 		return false;
 	struct rows rows = { .encoder = encoder_create(film, &e, f->is_float),
@@ -292,6 +265,7 @@ static struct image *take_picture(struct module_picture *p)
 	image->premultiplied = p->is_premultiplied;
 	image->has_srgb = p->is_srgb;
 	image->gamma = p->gamma;
+	image->is_greymap = p->is_greymap;
 	const size_t count = (size_t)p->width * p->height * p->channels;
 	image->samples = memory_alloc(count, sizeof *image->samples);
 	memcpy(image->samples, p->samples, count * sizeof *image->samples);
@@ -340,6 +314,15 @@ struct image *image_read(const char *path, const char **why)
 	if (!image)
 		fail(why, "%s", text);
 	return image;
+}
+
+struct working_space image_curve(const struct image *image)
+{
+	if (image->bits > 16)
+		return (struct working_space){ .transfer = TRANSFER_LINEAR };
+	if (image->has_srgb || !(image->gamma > 0))
+		return (struct working_space){ .transfer = TRANSFER_SRGB };
+	return (struct working_space){ .transfer = TRANSFER_POWER, .gamma = image->gamma };
 }
 
 void image_destroy(struct image *image)

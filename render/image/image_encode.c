@@ -65,15 +65,17 @@ static float curve_decode(struct working_space curve, float y)
 	}
 }
 
-static bool same_curve(struct working_space a, struct working_space b)
+bool image_same_curve(struct working_space a, struct working_space b)
 {
 	return a.transfer == b.transfer && (a.transfer != TRANSFER_POWER || a.gamma == b.gamma);
 }
 
-/* From curve to curve; the shortcuts avoid rounding twice. */
-static float convert(struct working_space from, struct working_space to, float x)
+/* The shortcuts avoid rounding twice. */
+float image_convert(struct working_space from, struct working_space to, float x)
 {
-	if (same_curve(from, to))
+	from = simplified(from);
+	to = simplified(to);
+	if (image_same_curve(from, to))
 		return x;
 	if (from.transfer == TRANSFER_POWER && to.transfer == TRANSFER_POWER)
 		return power(x, from.gamma / to.gamma);
@@ -84,14 +86,14 @@ float encode_value(const struct image_encoding *e, float value)
 {
 	if (e->working.transfer == TRANSFER_NONE)
 		return value;
-	return convert(simplified(e->working), simplified(e->file), value);
+	return image_convert(e->working, e->file, value);
 }
 
 float encode_inverse(const struct image_encoding *e, float encoded)
 {
 	if (e->working.transfer == TRANSFER_NONE)
 		return encoded;
-	return convert(simplified(e->file), simplified(e->working), encoded);
+	return image_convert(e->file, e->working, encoded);
 }
 
 /* Quantisation */
@@ -187,11 +189,6 @@ unsigned encode_channels(const struct image_encoding *e)
 	return (e->grayscale ? 1u : 3u) + (e->alpha ? 1u : 0u);
 }
 
-static bool is_premultiplied(enum image_format format)
-{
-	return format == IMAGE_EXR;
-}
-
 /* Colour divided by alpha. A highlight on something transparent is brighter than its alpha allows;
  * alpha is raised for it. */
 static void make_straight(rgb *c, float *alpha)
@@ -210,7 +207,7 @@ static void pixel_samples(const struct image_encoding *e, colour c, float out[4]
 	if (e->grayscale)
 		light = rgb_grey(rgb_luminance(light));
 	float alpha = 1 - c.transmit;
-	if (e->alpha && !is_premultiplied(e->format))
+	if (e->alpha && !image_formats[e->format].is_premultiplied)
 		make_straight(&light, &alpha);
 	unsigned n = 0;
 	out[n++] = light.r;

@@ -126,10 +126,13 @@ bool read_picture(const char *path, module_picture *picture, char *reason)
 		picture->height = unsigned(spec.height);
 		picture->channels = unsigned(channels);
 		picture->bits = bits_of(spec);
+		/* OpenImageIO leaves the alpha of a BMP as it is, and does not say so. */
 		picture->is_premultiplied = spec.alpha_channel >= 0 &&
+					    std::strcmp(in->format_name(), "bmp") != 0 &&
 					    !spec.get_int_attribute("oiio:UnassociatedAlpha", 0);
 		picture->is_srgb = spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
 		picture->gamma = spec.get_float_attribute("oiio:Gamma", 0);
+		picture->is_greymap = channels == 1 && std::strcmp(in->format_name(), "pnm") == 0;
 		const bool ok =
 			in->read_image(0, 0, 0, channels, TypeDesc::FLOAT, picture->samples);
 		if (!ok) {

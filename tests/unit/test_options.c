@@ -5,6 +5,7 @@
  * POV-Ray 3.7 where it has the option.
  */
 #include "frames.h"
+#include "formats.h"
 #include "names.h"
 #include "options.h"
 #include "setup.h"
@@ -274,8 +275,43 @@ static void named(const char *expected, const char *a, const char *b)
 	assert_string_equal(names_picture(&o, 0, 0), expected);
 }
 
+static const char *help_of(const char *name)
+{
+	for (size_t i = 0; i < option_count; i++)
+		if (option_rows[i].name && strcmp(option_rows[i].name, name) == 0)
+			return option_rows[i].help;
+	return "";
+}
+
+/* Each format of the library is chosen by its letter, its name and its extensions. */
+static void formats_are_found(void **state)
+{
+	(void)state;
+	struct lambert_format f, found;
+	size_t count = 0;
+	for (; lambert_format_describe(count, &f); count++) {
+		const char letter[] = { '+', 'F', f.letter, '\0' };
+		assert_true(reads("s.pov", letter, NULL));
+		const char *path = text_printf(&o.pool, "a.b/c%s", formats_extension(&o.pool, &f));
+		assert_true(names_format(&o, &found));
+		assert_string_equal(found.name, f.name);
+		assert_true(lambert_format_find(f.name, &found));
+		assert_int_equal(found.letter, f.letter);
+		assert_true(formats_find_path(path, &found));
+		assert_string_equal(found.extensions, f.extensions);
+		assert_non_null(strstr(formats_names(&o.pool), f.name));
+		assert_non_null(strstr(help_of("format"), f.name));
+	}
+	assert_true(count >= 9);
+	assert_false(lambert_format_find("", &found));
+	assert_false(lambert_format_find("jp", &found));
+	assert_false(formats_find_path("a.png/b", &found));
+	assert_true(lambert_format_find("TGA", &found) && found.letter == 'C');
+}
+
 static void pictures_are_named_by_rules(void **state)
 {
+	struct lambert_format format;
 	(void)state;
 	named("dir/s.png", "dir/s.pov", NULL);
 	named("foo.png", "dir/s.pov", "+Ofoo.png");
@@ -294,11 +330,13 @@ static void pictures_are_named_by_rules(void **state)
 	assert_true(reads("s.pov", "+Oa", NULL));
 	assert_string_equal(names_picture(&o, 7, 3), "a007.png");
 	assert_true(reads("s.pov", "-o", "x.EXR", NULL));
-	assert_int_equal(names_format(&o), 'E');
+	assert_true(names_format(&o, &format));
+	assert_string_equal(format.name, "exr");
 	assert_true(reads("s.pov", "-o", "x.exr", "+FN", NULL));
-	assert_int_equal(names_format(&o), 'N');
+	assert_true(names_format(&o, &format));
+	assert_string_equal(format.name, "png");
 	assert_true(reads("s.pov", "-o", "x.what", NULL));
-	assert_int_equal(names_format(&o), 0);
+	assert_false(names_format(&o, &format));
 }
 
 /* Frames */
@@ -555,24 +593,6 @@ static int leave(void **state)
 	return chdir("/") | rmdir(folder);
 }
 
-/* Stand for the library, which these tests do without. */
-void lambert_scene_options_init(struct lambert_scene_options *options)
-{
-	*options = (struct lambert_scene_options){ .quality = 9 };
-}
-void lambert_render_options_init(struct lambert_render_options *options)
-{
-	*options = (struct lambert_render_options){ .block_size = 32 };
-}
-void lambert_print_json_string(const char *text, FILE *file)
-{
-	fprintf(file, "\"%s\"", text);
-}
-void lambert_output_options_init(struct lambert_output_options *options)
-{
-	*options = (struct lambert_output_options){ .bits = 8 };
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -588,6 +608,7 @@ int main(void)
 		cmocka_unit_test(ini_values_may_hold_blanks),
 		cmocka_unit_test(long_options_say_the_same),
 		cmocka_unit_test(library_paths_accumulate),
+		cmocka_unit_test(formats_are_found),
 		cmocka_unit_test(pictures_are_named_by_rules),
 		cmocka_unit_test(frames_follow_the_clock),
 		cmocka_unit_test(clocks_are_rounded_once),

@@ -37,7 +37,8 @@ struct module_picture {
 	int bits; /* per sample in the file; 32 for floats */
 	float *samples;
 	bool is_premultiplied, is_srgb;
-	float gamma; /* 0: not stated */
+	float gamma;	 /* 0: not stated */
+	bool is_greymap; /* see image.h */
 };
 
 /* What the module offers under the name IMAGE_MODULE_SYMBOL. On failure `reason` (of REASON_SIZE
