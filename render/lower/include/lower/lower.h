@@ -49,6 +49,7 @@ struct lowering {
 	const struct texture *default_texture; /* finished, for objects without one */
 	const struct defaults *default_of;     /* the #default it was made of */
 	struct interior *plain_interior[2];    /* of opaque objects: solid, hollow */
+	const transform *latest_place;	       /* that an object was given */
 	const struct finish *finishes[FINISHES_KEPT]; /* the latest ones built */
 	unsigned finish_next;
 	const struct shape_class *shapes[KEYWORD_COUNT]; /* found already */
