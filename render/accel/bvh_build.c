@@ -322,7 +322,7 @@ static unsigned cut_of(const struct inner *n, int i)
 
 static void set_cut(struct inner *n, int i, unsigned cut)
 {
-	const int shift = i % 2 * 4;
+	const unsigned shift = i % 2 ? 4 : 0;
 	n->cut[i / 2] = (uint8_t)((n->cut[i / 2] & ~(15u << shift)) | cut << shift);
 }
 

@@ -295,9 +295,57 @@ static void warn_of_few_members(struct lowering *l, const struct node *n)
 			members == 0 ? "no objects" : "a single object");
 }
 
+/* Whether something of a draft refers to its node; if not, so does the draft no longer. */
+static bool keeps_node(struct draft *d)
+{
+	const struct draft_extras *e = d->extras;
+	if (d->kind == DRAFT_TEXT || d->texture || e->interior_texture || e->looks_like ||
+		e->projected_through || e->clips || e->bounds)
+		return true;
+	bool keeps = false;
+	for (struct draft *child = e->children; child; child = child->next)
+		keeps |= keeps_node(child);
+	if (!keeps)
+		d->node = NULL;
+	return keeps;
+}
+
+static bool is_begun(const struct begun_compound *begun, span word)
+{
+	return begun->end && begun->word.source == word.source &&
+	       begun->word.offset == word.offset && begun->word.site == word.site;
+}
+
+void draft_members(struct lowering *l, span word, const struct node *first)
+{
+	struct begun_compound *begun = &l->begun;
+	if (!is_begun(begun, word))
+		*begun = (struct begun_compound){ .word = word, .end = &begun->first };
+	for (const struct node *item = first; item; item = item->next) {
+		struct draft *child = draft_from_node(l, item);
+		if (!child)
+			continue;
+		begun->has_nodes |= keeps_node(child);
+		*begun->end = child;
+		begun->end = &child->next;
+	}
+}
+
+/* Where the next child goes, behind the members that are drafted already. */
+static struct draft **adopt_members(struct lowering *l, struct draft *d)
+{
+	struct draft_extras *e = draft_extras(l, d);
+	if (!is_begun(&l->begun, d->node->word))
+		return &e->children;
+	struct draft **end = l->begun.first ? l->begun.end : &e->children;
+	e->children = l->begun.first;
+	l->begun = (struct begun_compound){ .first = NULL };
+	return end;
+}
+
 static void read_children(struct lowering *l, const struct node *n, struct draft *d)
 {
-	struct draft **end = &draft_extras(l, d)->children;
+	struct draft **end = adopt_members(l, d);
 	bool first = true;
 	for (const struct node *item = n->children; item; item = item->next) {
 		if (!node_is_object(item))
@@ -338,7 +386,8 @@ static struct draft *draft_csg(struct lowering *l, const struct node *n)
 	d->csg = n->keyword == K_MERGE				      ? CSG_MERGE
 		 : n->keyword == K_UNION || n->keyword == K_COMPOSITE ? CSG_UNION
 								      : CSG_INTERSECTION;
-	warn_of_few_members(l, n);
+	if (!is_begun(&l->begun, n->word)) /* else there are many */
+		warn_of_few_members(l, n);
 	read_children(l, n, d);
 	if (d->csg == CSG_INTERSECTION)
 		warn_of_patches(l, d);

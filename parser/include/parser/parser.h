@@ -56,9 +56,9 @@ struct parse_options {
 	const char *const *write_paths; /* more folders a scene may write below */
 	size_t write_path_count;
 	struct scratch_files *scratch; /* where files go that the scene writes; NULL: to the disk */
-	bool no_short_ways;	/* leave every expression to the grammar: for tests */
-	double max_loop_tokens; /* give up after that many tokens; 0: no limit */
-	FILE *debug_stream;	/* where #debug, #warning … text goes, NULL: nowhere */
+	bool no_short_ways;	       /* leave every expression to the grammar: for tests */
+	double max_loop_tokens;	       /* give up after that many tokens; 0: no limit */
+	FILE *debug_stream;	       /* where #debug, #warning … text goes, NULL: nowhere */
 	void (*text)(void *user, enum keyword stream, const char *line); /* K_DEBUG, K_RENDER, … */
 	void *text_user;
 	/* When somebody has set `asked`, the next directive clears it and tells where it stands. NULL:
@@ -71,6 +71,10 @@ struct parse_options {
 	 * handed over, in order, and forgotten; only the last of them are in the ast. They live in
 	 * `passing`, which is reset behind each call. NULL: the ast has them all. */
 	void (*statements)(void *user, const struct node *first);
+	/* The same for members of a union or merge that is large itself, whose word stands there: the
+	 * statement will come with the others. False: something refers to them, so that they stay until
+	 * then. */
+	bool (*members)(void *user, span word, const struct node *first);
 	void *statements_user;
 	struct arena *passing;
 };

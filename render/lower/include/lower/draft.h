@@ -96,6 +96,9 @@ struct step {
 };
 struct step lower_step(struct lowering *, const struct node *item);
 
+/* Drafts more members of a compound whose statement has not come yet. */
+void draft_members(struct lowering *, span word, const struct node *first);
+
 /* Moves everything that is attached so far. */
 void draft_transform(struct lowering *, struct draft *, struct step *);
 /* The same with each of a list. */
