@@ -317,13 +317,14 @@ struct cost {
 
 static unsigned cut_of(const struct inner *n, int i)
 {
-	return n->cut[i / 2] >> (i % 2 * 4) & 15u;
+	const unsigned pair = n->cut[i / 2];
+	return i % 2 ? pair >> 4 : pair & 15u;
 }
 
 static void set_cut(struct inner *n, int i, unsigned cut)
 {
-	const unsigned shift = i % 2 ? 4 : 0;
-	n->cut[i / 2] = (uint8_t)((n->cut[i / 2] & ~(15u << shift)) | cut << shift);
+	const unsigned pair = n->cut[i / 2];
+	n->cut[i / 2] = (uint8_t)(i % 2 ? (pair & 15u) | cut << 4 : (pair & ~15u) | cut);
 }
 
 static bool is_leaf(const struct builder *b, struct range r)
