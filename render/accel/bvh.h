@@ -45,8 +45,8 @@ struct bvh_item bvh_item(box, uint32_t index, bool groups);
 struct bvh {
 	struct bvh_node *nodes; /* node 0 is the root */
 	size_t node_count, depth;
-	uint32_t *
-		slots; /* the index of the item in each slot, or BVH_NOTHING; the builder's to free */
+	/* The index of the item in each slot, or BVH_NOTHING; who builds the tree frees them. */
+	uint32_t *slots;
 	size_t slot_count;
 };
 
