@@ -98,7 +98,7 @@ static struct probe *probe_create(struct hooks *h, const struct node *object)
 	struct draft *d = draft_from_node(lowering_now(h), object);
 	if (!d)
 		return NULL;
-	p->extent = d->extent->box;
+	p->extent = d->extras->extent->box;
 	draft_emit(&h->lowering, d, object->state);
 	settle(h);
 	lowering_forget(&h->lowering);

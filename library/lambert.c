@@ -243,6 +243,15 @@ static void lower(void *user, const struct node *statements)
 	r->stats.lower_cpu += cpu_seconds() - start;
 }
 
+static bool lower_part(void *user, span word, const struct node *members)
+{
+	struct reading *r = user;
+	const double start = cpu_seconds();
+	const bool free = lower_members(&r->lowering, word, members);
+	r->stats.lower_cpu += cpu_seconds() - start;
+	return free;
+}
+
 /* Text to tree to scene; where there is much of it, statements are lowered while the text is read. */
 static void read_scene(void *user)
 {
@@ -250,6 +259,7 @@ static void read_scene(void *user)
 	const double start = cpu_seconds();
 	reading_begin(r);
 	r->files.statements = lower;
+	r->files.members = lower_part;
 	r->files.statements_user = r;
 	r->files.passing = r->passing;
 	lowering_begin(r);

@@ -237,18 +237,60 @@ struct node *node_fit(struct parser *p, enum keyword keyword, span whole, span w
 
 /* -- Statements of the top level ---------------------------------------------------------- */
 
-struct node_list scene_add(
-	struct parser *p, struct node_list statements, struct node *statement, bool ahead)
+/* Whether what has been read has come to a size at which it is handed over. A token that was read
+ * ahead may be a part of what follows. */
+static bool is_due(const struct parser *p, bool ahead)
 {
 	const struct parse_options *o = p->options;
-	const struct node_list list = list_add(statements, statement);
-	p->parts_read = 0;
-	/* A token that was read ahead may be part of the next statement. */
-	if (!o->statements || ahead || p->keeps_tree || arena_used(p->tree) < PASSING_BYTES)
-		return list;
-	o->statements(o->statements_user, list.first);
+	return o->statements && p->tree == o->passing && !ahead && !p->keeps_tree &&
+	       arena_used(p->tree) >= PASSING_BYTES;
+}
+
+static void forget_tree(struct parser *p)
+{
 	p->passed_bytes += arena_used(p->tree);
 	arena_reset(p->tree);
+}
+
+static void pass_statements(struct parser *p)
+{
+	struct node_list *list = &p->grammar->statements;
+	if (list->first)
+		p->options->statements(p->options->statements_user, list->first);
+	*list = list_none();
+}
+
+void scene_add(struct parser *p, struct node *statement, bool ahead)
+{
+	struct node_list *list = &p->grammar->statements;
+	*list = list_add(*list, statement);
+	p->parts_read = 0;
+	if (!is_due(p, ahead))
+		return;
+	pass_statements(p);
+	forget_tree(p);
+}
+
+/* The opening of the union or merge that is the present statement, if nothing is open within; or
+ * NULL. What is behind its members does not decide what becomes of each. */
+static const struct opening *open_compound(const struct parser *p, const struct run *run)
+{
+	const struct opening *open = &p->grammar->openings[run->base];
+	return run->depth == 1 && (open->keyword == K_UNION || open->keyword == K_MERGE) ? open
+											 : NULL;
+}
+
+struct node_list member_add(struct parser *p, const struct run *run, struct node_list members,
+	struct node *member, bool ahead)
+{
+	const struct parse_options *o = p->options;
+	const struct node_list list = list_add(members, member);
+	const struct opening *open = is_due(p, ahead) ? open_compound(p, run) : NULL;
+	if (!open)
+		return list;
+	pass_statements(p);
+	if (o->members(o->statements_user, open->word, list.first))
+		forget_tree(p);
 	return list_none();
 }
 

@@ -137,7 +137,8 @@ struct grammar {
 	size_t arg_count, arg_capacity;
 	struct opening *openings; /* open brackets of all runs */
 	size_t opening_top, opening_capacity;
-	unsigned nested; /* runs within runs */
+	unsigned nested;	     /* runs within runs */
+	struct node_list statements; /* of the scene, those handed over apart */
 	struct function_scope *scope;
 };
 struct grammar *grammar_state(struct parser *);
@@ -170,9 +171,12 @@ struct node_list list_add(struct node_list, struct node *);
 struct node_list list_join(struct node_list, struct node_list);
 
 struct node_list list_none(void);
-/* A list of the statements of the scene, which may be handed over on this occasion; `ahead`: a token
+/* Adds to the statements of the scene, which may be handed over on this occasion; `ahead`: a token
  * behind the statement has been read. */
-struct node_list scene_add(struct parser *, struct node_list, struct node *, bool ahead);
+void scene_add(struct parser *, struct node *, bool ahead);
+/* Adds to the members of a compound, in the same way. */
+struct node_list member_add(
+	struct parser *, const struct run *, struct node_list, struct node *, bool ahead);
 /* The arguments from `start` up, checked: one letter each, f float, v 3-vector, 2, 4 vectors, c
  * colour, p function, s string; a ? behind a letter: may be missing. */
 struct node *node_fit(

@@ -94,6 +94,7 @@ bool next_piece(struct expand *x)
 	follow_tokens(x, f->source);
 	f->position = f->source->piece;
 	f->end = f->source->count;
+	f->failed_from = f->failed_to = 0; /* of tokens that are gone */
 	if (x->statement.frames == x->frame_count) {
 		x->statement.position = f->position;
 		x->statement.skippable &= !f->source->piece_splits;

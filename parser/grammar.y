@@ -155,7 +155,7 @@ void grammar_error(const span *, struct parser *, struct run *, const char *);
 %%
 
 input:
-	  T_START_SCENE scene_items END { run->list = $2; run_accept(p, run, false); YYACCEPT; }
+	  T_START_SCENE scene_items END { run->list = p->grammar->statements; run_accept(p, run, false); YYACCEPT; }
 	| T_START_FLOAT sum { run->value.number = number_plain($2); run->where = @2; ACCEPT; }
 	| T_START_NUMBER sum { run->value.number = number_plain($2); ACCEPT; }
 	| T_START_CONDITION full { run->value.number = $2; run->where = @2; ACCEPT; }
@@ -602,12 +602,11 @@ transformations:
 
 /* ---------------------------------------------------------------- scene level */
 
-%type <list> scene_items;
 %type <node> scene_item background;
 %type <keyword> old_setting;
 scene_items:
-	  %empty { $$ = list_none(); }
-	| scene_items scene_item { $$ = scene_add(p, $1, $2, yychar != GRAMMAR_EMPTY); }
+	  %empty { p->grammar->statements = list_none(); }
+	| scene_items scene_item { scene_add(p, $2, yychar != GRAMMAR_EMPTY); }
 	| scene_items default_statement
 	;
 scene_item:
@@ -648,7 +647,7 @@ default_item:
 %type <node> object object_block object_statement modifier parameter importance object_photon clip_block;
 %type <node> blob_item isosurface_item parametric_item julia_item contained mesh_item;
 %type <node> light_item light_photon group_item triangle_texture face_detail;
-%type <list> modifiers objects csg_members clip_items object_photons importance_items;
+%type <list> modifiers objects csg_members some_members clip_items object_photons importance_items;
 %type <list> blob_items isosurface_items parametric_items julia_items axes face_tail;
 %type <list> light_items light_photons group_items mesh2_items;
 %type <list> polynomial_items precomputed;
@@ -724,7 +723,11 @@ csg_word: KW_UNION | KW_COMPOSITE | KW_MERGE | KW_INTERSECTION | KW_DIFFERENCE ;
 /* A bare identifier as the first member would be the copy above. */
 csg_members:
 	  %empty { $$ = list_none(); }
-	| object_block objects { $$ = list_join(list_one($1), $2); }
+	| some_members
+	;
+some_members:
+	  object_block { $$ = list_one($1); }
+	| some_members object { $$ = member_add(p, run, $1, $2, yychar != GRAMMAR_EMPTY); }
 	;
 coefficient_word: KW_CUBIC | KW_QUARTIC ;
 

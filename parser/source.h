@@ -7,8 +7,8 @@
  *
  * A large scene is lexed in pieces, each when the one before has been read: it ends
  * behind a closing brace between two statements or, within a very long one, behind a
- * vector, and outside of any block. The next piece takes the room of the tokens that
- * nobody will read again, which are all but those of pieces with macros.
+ * vector or an item, and outside of any block. The next piece takes the room of the
+ * tokens that nobody will read again, which are all but those of pieces with macros.
  */
 #ifndef LAMBERT_PARSER_SOURCE_H
 #define LAMBERT_PARSER_SOURCE_H

@@ -68,9 +68,9 @@ static void set_group_lane(struct sphere_group *g, size_t lane, const struct obj
 }
 
 /* Lays the objects out in the order of the tree. */
-static void fill_slots(struct accel *a, const struct object *const *objects)
+static void fill_slots(struct accel *a, struct object *const *objects)
 {
-	const struct bvh *tree = &a->tree;
+	struct bvh *tree = &a->tree;
 	a->slots = ARENA_ARRAY(a->arena, tree->slot_count, const struct object *);
 	bool has_groups = false;
 	for (size_t i = 0; i < tree->slot_count; i++) {
@@ -79,6 +79,8 @@ static void fill_slots(struct accel *a, const struct object *const *objects)
 		double r;
 		has_groups |= a->slots[i] && enclosing_sphere(a->slots[i], &c, &r);
 	}
+	free(tree->slots);
+	tree->slots = NULL;
 	if (!has_groups)
 		return;
 	const size_t count = (tree->slot_count + BVH_WIDTH - 1) / BVH_WIDTH;
@@ -90,24 +92,39 @@ static void fill_slots(struct accel *a, const struct object *const *objects)
 	a->groups = groups;
 }
 
-static void build_tree(
-	struct accel *a, const struct object *const *objects, size_t count, unsigned threads)
+static struct bvh_item item_of(const struct object *o, uint32_t number)
 {
-	if (count == 0)
+	vec3 centre;
+	double radius;
+	return bvh_item(o->bounds, number, enclosing_sphere(o, &centre, &radius));
+}
+
+/* Objects on their way into lists of the arena. */
+struct sorting {
+	struct bvh_item *bounded;
+	const struct object **unbounded, **outside;
+	size_t bounded_count;
+};
+
+static void sort_object(struct accel *a, struct sorting *s, const struct object *o, uint32_t number)
+{
+	a->kinds |= o->visible_to;
+	if (box_is_empty(o->bounds))
+		return; /* nothing of it can be hit */
+	if (!is_bounded(o)) {
+		s->unbounded[a->unbounded_count++] = o;
 		return;
-	box *boxes = memory_alloc(count, sizeof *boxes);
-	bool *groups = memory_alloc(count, sizeof *groups);
-	for (size_t i = 0; i < count; i++) {
-		vec3 centre;
-		double radius;
-		boxes[i] = objects[i]->bounds;
-		groups[i] = enclosing_sphere(objects[i], &centre, &radius);
 	}
-	a->tree = bvh_build(a->arena, boxes, groups, count, threads);
-	a->has_tree = true;
-	fill_slots(a, objects);
-	free(boxes);
-	free(groups);
+	s->bounded[s->bounded_count++] = item_of(o, number);
+	if (is_solid_outside(o))
+		s->outside[a->outside_count++] = o;
+}
+
+static const struct object **kept(struct arena *arena, const struct object **list, size_t count)
+{
+	const struct object **copy = arena_copy(arena, list, count * sizeof *list);
+	free(list);
+	return copy;
 }
 
 struct accel *accel_build(struct object *const *objects, size_t count, unsigned threads)
@@ -117,26 +134,21 @@ struct accel *accel_build(struct object *const *objects, size_t count, unsigned 
 	a->arena = arena;
 	a->kernel = choose_kernel();
 	a->object_count = count;
-	a->unbounded = ARENA_ARRAY(arena, count, const struct object *);
-	a->outside = ARENA_ARRAY(arena, count, const struct object *);
-	const struct object **bounded = memory_alloc(count, sizeof *bounded);
-	size_t bounded_count = 0;
-	for (size_t i = 0; i < count; i++) {
-		const struct object *o = objects[i];
-		a->kinds |= o->visible_to;
-		if (box_is_empty(o->bounds))
-			continue; /* nothing of it can be hit */
-		if (!is_bounded(o)) {
-			a->unbounded[a->unbounded_count++] = o;
-			continue;
-		}
-		bounded[bounded_count++] = o;
-		if (is_solid_outside(o))
-			a->outside[a->outside_count++] = o;
-	}
+	struct sorting s = {
+		.bounded = memory_alloc(count, sizeof *s.bounded),
+		.unbounded = memory_alloc(count, sizeof *s.unbounded),
+		.outside = memory_alloc(count, sizeof *s.outside),
+	};
+	for (size_t i = 0; i < count; i++)
+		sort_object(a, &s, objects[i], (uint32_t)i);
+	a->unbounded = kept(arena, s.unbounded, a->unbounded_count);
+	a->outside = kept(arena, s.outside, a->outside_count);
 	qsort(a->unbounded, a->unbounded_count, sizeof *a->unbounded, by_rank);
-	build_tree(a, bounded, bounded_count, threads);
-	free(bounded);
+	if (s.bounded_count)
+		a->tree = bvh_build(arena, s.bounded, s.bounded_count, threads);
+	free(s.bounded);
+	a->has_tree = s.bounded_count != 0;
+	fill_slots(a, objects);
 	return a;
 }
 

@@ -34,17 +34,24 @@ struct bvh_node {
 /* No path from the root is longer than this many nodes; a walk writes eight entries at a time. */
 enum { BVH_DEPTH_MAX = 96, BVH_STACK = BVH_DEPTH_MAX * (BVH_WIDTH - 1) + BVH_WIDTH };
 
+/* What the tree is built over: a box in single precision, rounded outwards. Items that group may
+ * share a leaf, the others get one each. */
+struct bvh_item {
+	float lo[3], hi[3];
+	uint32_t index : 31, groups : 1;
+};
+struct bvh_item bvh_item(box, uint32_t index, bool groups);
+
 struct bvh {
 	struct bvh_node *nodes; /* node 0 is the root */
 	size_t node_count, depth;
-	uint32_t *slots; /* the item in each slot, or BVH_NOTHING */
+	/* The index of the item in each slot, or BVH_NOTHING; who builds the tree frees them. */
+	uint32_t *slots;
 	size_t slot_count;
 };
 
-/* The tree over `count` bounded boxes, 1 to 2^26 of them, in memory of the arena. Items marked in
- * `groups` (NULL: none) may share a leaf, the others get one each. The result is the same for any
- * number of threads. */
-struct bvh bvh_build(
-	struct arena *, const box *boxes, const bool *groups, size_t count, unsigned threads);
+/* The tree over 1 to 2^26 items, whose boxes are finite, with its nodes in the arena; puts the items
+ * into another order. The result is the same for any number of threads. */
+struct bvh bvh_build(struct arena *, struct bvh_item *items, size_t count, unsigned threads);
 
 #endif

@@ -4,9 +4,10 @@
  *
  * 1. A binary tree from the top down, split where the surface area heuristic
  *    is least among 16 bins per axis (Wald 2007, "On fast construction of
- *    SAH-based bounding volume hierarchies"). A subtree of n items owns 2n - 1
- *    nodes at a place known beforehand, so subtrees are built in parallel and
- *    land in the same places in any order.
+ *    SAH-based bounding volume hierarchies"). A subtree of n items owns n - 1
+ *    inner nodes at a place known beforehand, so subtrees are built in parallel
+ *    and land in the same places in any order. An inner node is eight bytes: the
+ *    rest follows from where it is, and boxes are made where they are needed.
  * 2. From the bottom up, the cheapest way to cut each subtree into at most
  *    1 to 8 wide nodes and leaves (Ylitie, Karras and Laine 2017, "Efficient
  *    incoherent ray traversal on GPUs through compressed wide BVHs", 3.1).
@@ -33,24 +34,20 @@ struct bounds {
 	float lo[3], hi[3];
 };
 
-struct item {
-	struct bounds bounds;
-	uint32_t index;
-	bool groups;
+/* An inner node: how many items its left child has, and how to cut it, see struct cost. */
+struct inner {
+	uint32_t left;
+	uint8_t cut[BVH_WIDTH / 2]; /* four bits each */
 };
 
-/* The left child follows its parent. */
-struct binary {
-	struct bounds bounds;
-	uint32_t right; /* 0: a single item */
-	uint32_t first, count;
-	bool groups;		/* all items may share a leaf */
-	uint8_t cut[BVH_WIDTH]; /* see struct cost */
+/* A subtree: its items, and where its inner nodes begin if it has more than one item. */
+struct range {
+	uint32_t at, first, count;
 };
 
 struct builder {
-	struct item *items;
-	struct binary *tree;
+	struct bvh_item *items;
+	struct inner *tree;
 	struct job *jobs;
 	size_t job_count, job_room;
 	struct bvh bvh;
@@ -59,8 +56,20 @@ struct builder {
 };
 
 struct job {
-	uint32_t at, first, count, depth;
+	struct range range;
+	uint32_t depth;
 };
+
+/* The parent's own node comes before those of the left child, then those of the right one. */
+static struct range left_of(struct range r, uint32_t left)
+{
+	return (struct range){ r.at + 1, r.first, left };
+}
+
+static struct range right_of(struct range r, uint32_t left)
+{
+	return (struct range){ r.at + left, r.first + left, r.count - left };
+}
 
 /* ---- boxes ---- */
 
@@ -76,11 +85,13 @@ static float round_up(double v)
 	return (double)f < v ? nextafterf(f, INFINITY) : f;
 }
 
-static struct bounds bounds_outwards(box b)
+struct bvh_item bvh_item(box b, uint32_t index, bool groups)
 {
-	return (struct bounds){
-		{ round_down(b.lo.x), round_down(b.lo.y), round_down(b.lo.z) },
-		{ round_up(b.hi.x), round_up(b.hi.y), round_up(b.hi.z) },
+	return (struct bvh_item){
+		.lo = { round_down(b.lo.x), round_down(b.lo.y), round_down(b.lo.z) },
+		.hi = { round_up(b.hi.x), round_up(b.hi.y), round_up(b.hi.z) },
+		.index = index & 0x7fffffffu,
+		.groups = groups,
 	};
 }
 
@@ -97,6 +108,22 @@ static inline void bounds_add(struct bounds *to, const struct bounds *b)
 	}
 }
 
+static inline void bounds_add_item(struct bounds *to, const struct bvh_item *item)
+{
+	for (int k = 0; k < 3; k++) {
+		to->lo[k] = to->lo[k] < item->lo[k] ? to->lo[k] : item->lo[k];
+		to->hi[k] = to->hi[k] > item->hi[k] ? to->hi[k] : item->hi[k];
+	}
+}
+
+static struct bounds bounds_of(const struct bvh_item *items, uint32_t count)
+{
+	struct bounds b = bounds_nothing;
+	for (uint32_t i = 0; i < count; i++)
+		bounds_add_item(&b, &items[i]);
+	return b;
+}
+
 /* Half the surface. */
 static float bounds_area(const struct bounds *b)
 {
@@ -105,9 +132,9 @@ static float bounds_area(const struct bounds *b)
 }
 
 /* Twice the centre of an item. */
-static inline float item_centre(const struct item *item, int axis)
+static inline float item_centre(const struct bvh_item *item, int axis)
 {
-	return item->bounds.lo[axis] + item->bounds.hi[axis];
+	return item->lo[axis] + item->hi[axis];
 }
 
 /* ---- step 1: the binary tree ---- */
@@ -156,7 +183,7 @@ static void split_best_of_axis(const struct bin bins[BINS], int axis, struct spl
 	}
 }
 
-static struct split find_split(const struct item *items, uint32_t count)
+static struct split find_split(const struct bvh_item *items, uint32_t count)
 {
 	float lo[3] = { INFINITY, INFINITY, INFINITY };
 	float hi[3] = { -INFINITY, -INFINITY, -INFINITY };
@@ -181,7 +208,7 @@ static struct split find_split(const struct item *items, uint32_t count)
 		for (int k = 0; k < 3; k++) {
 			struct bin *bin =
 				&bins[k][bin_of(item_centre(&items[i], k), lo[k], scale[k])];
-			bounds_add(&bin->bounds, &items[i].bounds);
+			bounds_add_item(&bin->bounds, &items[i]);
 			bin->count++;
 		}
 	}
@@ -196,7 +223,7 @@ static struct split find_split(const struct item *items, uint32_t count)
 }
 
 /* Brings the items of the left side to the front and returns their number. */
-static uint32_t partition(struct item *items, uint32_t count, const struct split *s)
+static uint32_t partition(struct bvh_item *items, uint32_t count, const struct split *s)
 {
 	uint32_t left = 0, right = count;
 	for (;;) {
@@ -208,14 +235,14 @@ static uint32_t partition(struct item *items, uint32_t count, const struct split
 			right--;
 		if (left >= right)
 			return left;
-		const struct item other = items[left];
+		const struct bvh_item other = items[left];
 		items[left] = items[right - 1];
 		items[right - 1] = other;
 	}
 }
 
 /* How many items go to the left. Items with one centre in common are halved as they stand. */
-static uint32_t divide(struct item *items, uint32_t count, uint32_t depth)
+static uint32_t divide(struct bvh_item *items, uint32_t count, uint32_t depth)
 {
 	if (count == 2)
 		return 1;
@@ -239,22 +266,17 @@ static void push_job(struct builder *b, struct job job)
 /* Splits ranges of more than `small` items and leaves the others as jobs. */
 static void grow(struct builder *b, struct job j, uint32_t small)
 {
-	struct binary *node = &b->tree[j.at];
-	*node = (struct binary){ .first = j.first, .count = j.count };
-	if (j.count == 1) {
-		const struct item *item = &b->items[j.first];
-		node->bounds = item->bounds;
-		node->groups = item->groups;
+	const struct range r = j.range;
+	if (r.count == 1)
 		return;
-	}
-	const uint32_t left = divide(b->items + j.first, j.count, j.depth);
-	node->right = j.at + 2 * left;
+	const uint32_t left = divide(b->items + r.first, r.count, j.depth);
+	b->tree[r.at] = (struct inner){ .left = left };
 	const struct job children[2] = {
-		{ j.at + 1, j.first, left, j.depth + 1 },
-		{ node->right, j.first + left, j.count - left, j.depth + 1 },
+		{ left_of(r, left), j.depth + 1 },
+		{ right_of(r, left), j.depth + 1 },
 	};
 	for (int i = 0; i < 2; i++) {
-		if (children[i].count > small || small == 0)
+		if (children[i].range.count > small || small == 0)
 			grow(b, children[i], small);
 		else
 			push_job(b, children[i]);
@@ -270,7 +292,7 @@ static void run_job(void *user, size_t index, unsigned thread)
 
 static void build_binary(struct builder *b, uint32_t count, unsigned threads)
 {
-	const struct job whole = { 0, 0, count, 0 };
+	const struct job whole = { { 0, 0, count }, 0 };
 	const uint32_t small = count / 64 > JOB_ITEMS ? count / 64 : JOB_ITEMS;
 	if (count <= small || threads <= 1) {
 		grow(b, whole, 0);
@@ -283,36 +305,52 @@ static void build_binary(struct builder *b, uint32_t count, unsigned threads)
 /* ---- step 2: the cheapest cuts ---- */
 
 /*
- * Entry i - 1 is the least cost of a subtree cut into at most i roots. `cut` of the node tells
- * how: [0] whether one root is a leaf; [i - 1] the roots given to the left child, or 0 when one
- * root less is as good.
+ * Entry i - 1 is the least cost of a subtree cut into at most i roots. The cuts of the node tell
+ * how: 0 whether one root is a leaf; i - 1 the roots given to the left child, or 0 when one root
+ * less is as good.
  */
 struct cost {
 	float of[BVH_WIDTH];
+	struct bounds bounds; /* of the subtree */
+	bool groups;	      /* all items may share a leaf */
 };
 
-static bool can_be_leaf(const struct binary *n)
+static unsigned cut_of(const struct inner *n, int i)
 {
-	return n->count == 1 || (n->groups && n->count <= GROUP_MAX);
+	const unsigned pair = n->cut[i / 2];
+	return i % 2 ? pair >> 4 : pair & 15u;
 }
 
-static struct cost find_cuts(struct builder *b, uint32_t at)
+static void set_cut(struct inner *n, int i, unsigned cut)
 {
-	struct binary *n = &b->tree[at];
-	const float area = bounds_area(&n->bounds);
-	struct cost cost;
-	if (!n->right) {
-		n->cut[0] = 1;
-		for (int i = 0; i < BVH_WIDTH; i++)
-			cost.of[i] = area * GROUP_COST;
-		return cost;
-	}
-	const struct cost left = find_cuts(b, at + 1), right = find_cuts(b, n->right);
-	const struct binary *l = &b->tree[at + 1], *r = &b->tree[n->right];
-	n->bounds = l->bounds;
-	bounds_add(&n->bounds, &r->bounds);
-	n->groups = l->groups && r->groups;
-	const float own = bounds_area(&n->bounds);
+	const unsigned pair = n->cut[i / 2];
+	n->cut[i / 2] = (uint8_t)(i % 2 ? (pair & 15u) | cut << 4 : (pair & ~15u) | cut);
+}
+
+static bool is_leaf(const struct builder *b, struct range r)
+{
+	return r.count == 1 || cut_of(&b->tree[r.at], 0);
+}
+
+static struct cost cost_of_item(const struct bvh_item *item)
+{
+	struct cost cost = { .bounds = bounds_of(item, 1), .groups = item->groups };
+	const float area = bounds_area(&cost.bounds);
+	for (int i = 0; i < BVH_WIDTH; i++)
+		cost.of[i] = area * GROUP_COST;
+	return cost;
+}
+
+static struct cost find_cuts(struct builder *b, struct range r)
+{
+	if (r.count == 1)
+		return cost_of_item(&b->items[r.first]);
+	struct inner *n = &b->tree[r.at];
+	const struct cost left = find_cuts(b, left_of(r, n->left));
+	const struct cost right = find_cuts(b, right_of(r, n->left));
+	struct cost cost = { .bounds = left.bounds, .groups = left.groups && right.groups };
+	bounds_add(&cost.bounds, &right.bounds);
+	const float own = bounds_area(&cost.bounds);
 
 	for (int i = 1; i < BVH_WIDTH; i++) {
 		cost.of[i] = INFINITY;
@@ -320,19 +358,19 @@ static struct cost find_cuts(struct builder *b, uint32_t at)
 			const float c = left.of[k] + right.of[i - 1 - k];
 			if (c < cost.of[i]) {
 				cost.of[i] = c;
-				n->cut[i] = (uint8_t)(k + 1);
+				set_cut(n, i, (unsigned)k + 1);
 			}
 		}
 	}
 	cost.of[0] = own + cost.of[BVH_WIDTH - 1];
-	if (can_be_leaf(n) && own * GROUP_COST < cost.of[0]) {
+	if (cost.groups && r.count <= GROUP_MAX && own * GROUP_COST < cost.of[0]) {
 		cost.of[0] = own * GROUP_COST;
-		n->cut[0] = 1;
+		set_cut(n, 0, 1);
 	}
 	for (int i = 1; i < BVH_WIDTH; i++) {
 		if (cost.of[i - 1] <= cost.of[i]) {
 			cost.of[i] = cost.of[i - 1];
-			n->cut[i] = 0;
+			set_cut(n, i, 0);
 		}
 	}
 	return cost;
@@ -341,41 +379,42 @@ static struct cost find_cuts(struct builder *b, uint32_t at)
 /* ---- step 3: wide nodes ---- */
 
 /* The roots when the subtree is cut into at most `room`; returns their number. */
-static size_t collect(const struct builder *b, uint32_t at, int room, uint32_t *out)
+static size_t collect(const struct builder *b, struct range r, int room, struct range *out)
 {
-	const struct binary *n = &b->tree[at];
-	while (room > 1 && (!n->right || n->cut[room - 1] == 0))
+	const struct inner *n = &b->tree[r.at];
+	while (room > 1 && (r.count == 1 || cut_of(n, room - 1) == 0))
 		room--;
 	if (room == 1) {
-		out[0] = at;
+		out[0] = r;
 		return 1;
 	}
-	const int left = n->cut[room - 1];
-	const size_t count = collect(b, at + 1, left, out);
-	return count + collect(b, n->right, room - left, out + count);
+	const int left = (int)cut_of(n, room - 1);
+	const size_t count = collect(b, left_of(r, n->left), left, out);
+	return count + collect(b, right_of(r, n->left), room - left, out + count);
 }
 
-/* The children of a wide node: at least two where the binary node has two. */
-static size_t collect_children(const struct builder *b, uint32_t at, uint32_t out[BVH_WIDTH])
+/* The children of a wide node: at least two, as the binary node has. */
+static size_t collect_children(const struct builder *b, struct range r, struct range out[BVH_WIDTH])
 {
-	const struct binary *n = &b->tree[at];
+	const struct inner *n = &b->tree[r.at];
 	int room = BVH_WIDTH;
-	while (room > 2 && n->cut[room - 1] == 0)
+	while (room > 2 && cut_of(n, room - 1) == 0)
 		room--;
-	const int left = n->cut[room - 1] ? n->cut[room - 1] : 1;
-	const size_t count = collect(b, at + 1, left, out);
-	return count + collect(b, n->right, room - left, out + count);
+	const unsigned cut = cut_of(n, room - 1);
+	const int left = cut ? (int)cut : 1;
+	const size_t count = collect(b, left_of(r, n->left), left, out);
+	return count + collect(b, right_of(r, n->left), room - left, out + count);
 }
 
-static size_t count_nodes(const struct builder *b, uint32_t at)
+static size_t count_nodes(const struct builder *b, struct range r)
 {
 	size_t nodes = 1;
-	if (b->tree[at].cut[0])
+	if (is_leaf(b, r))
 		return nodes;
-	uint32_t children[BVH_WIDTH];
-	const size_t count = collect_children(b, at, children);
+	struct range children[BVH_WIDTH];
+	const size_t count = collect_children(b, r, children);
 	for (size_t i = 0; i < count; i++)
-		if (!b->tree[children[i]].cut[0])
+		if (!is_leaf(b, children[i]))
 			nodes += count_nodes(b, children[i]);
 	return nodes;
 }
@@ -394,17 +433,18 @@ static uint32_t *add_slots(struct builder *b, size_t start, size_t count)
 	return v->slots + start;
 }
 
-static uint32_t emit_leaf(struct builder *b, const struct binary *n)
+static uint32_t emit_leaf(struct builder *b, struct range r)
 {
 	const size_t end = b->bvh.slot_count;
-	if (!n->groups) {
-		*add_slots(b, end, 1) = b->items[n->first].index;
+	const struct bvh_item *items = b->items + r.first;
+	if (!items->groups) {
+		*add_slots(b, end, 1) = items->index;
 		return b->latest_leaf = BVH_LEAF | (uint32_t)end;
 	}
 	const size_t start = (end + GROUP_MAX - 1) / GROUP_MAX * GROUP_MAX;
 	uint32_t *slots = add_slots(b, start, GROUP_MAX);
-	for (uint32_t i = 0; i < n->count; i++)
-		slots[i] = b->items[n->first + i].index;
+	for (uint32_t i = 0; i < r.count; i++)
+		slots[i] = items[i].index;
 	return b->latest_leaf = BVH_LEAF | BVH_GROUP | (uint32_t)start;
 }
 
@@ -417,43 +457,48 @@ static void set_child(struct bvh_node *node, size_t lane, const struct bounds *b
 	node->child[lane] = child;
 }
 
-static uint32_t emit(struct builder *b, uint32_t at, size_t depth)
+/* A subtree as a child of a wide node, and its box. */
+struct child {
+	struct bounds bounds;
+	uint32_t number;
+};
+
+static struct child emit(struct builder *b, struct range r, size_t depth);
+
+static struct child emit_child(struct builder *b, struct range r, size_t depth)
 {
-	struct bvh *v = &b->bvh;
-	const size_t index = v->node_count++;
-	v->depth = depth > v->depth ? depth : v->depth;
-	uint32_t children[BVH_WIDTH] = { at };
-	/* only the root of the whole tree can be a leaf here */
-	const size_t count = b->tree[at].cut[0] ? 1 : collect_children(b, at, children);
-	for (size_t lane = 0; lane < count; lane++) {
-		const struct binary *n = &b->tree[children[lane]];
-		const uint32_t child =
-			n->cut[0] ? emit_leaf(b, n) : emit(b, children[lane], depth + 1);
-		set_child(&v->nodes[index], lane, &n->bounds, child);
-	}
-	for (size_t lane = count; lane < BVH_WIDTH; lane++)
-		set_child(&v->nodes[index], lane, &bounds_nothing, b->latest_leaf);
-	return (uint32_t)index;
+	if (!is_leaf(b, r))
+		return emit(b, r, depth);
+	return (struct child){ bounds_of(b->items + r.first, r.count), emit_leaf(b, r) };
 }
 
-struct bvh bvh_build(
-	struct arena *arena, const box *boxes, const bool *groups, size_t count, unsigned threads)
+static struct child emit(struct builder *b, struct range r, size_t depth)
 {
-	struct builder b = { .items = memory_alloc(count, sizeof *b.items),
-		.tree = memory_alloc(2 * count, sizeof *b.tree) };
-	for (size_t i = 0; i < count; i++)
-		b.items[i] = (struct item){ bounds_outwards(boxes[i]), (uint32_t)i,
-			groups && groups[i] };
-	build_binary(&b, (uint32_t)count, threads);
-	find_cuts(&b, 0);
+	struct bvh *v = &b->bvh;
+	struct child self = { bounds_nothing, (uint32_t)v->node_count++ };
+	struct bvh_node *node = &v->nodes[self.number];
+	v->depth = depth > v->depth ? depth : v->depth;
+	struct range children[BVH_WIDTH] = { r };
+	/* only the root of the whole tree can be a leaf here */
+	const size_t count = is_leaf(b, r) ? 1 : collect_children(b, r, children);
+	for (size_t lane = 0; lane < count; lane++) {
+		const struct child child = emit_child(b, children[lane], depth + 1);
+		set_child(node, lane, &child.bounds, child.number);
+		bounds_add(&self.bounds, &child.bounds);
+	}
+	for (size_t lane = count; lane < BVH_WIDTH; lane++)
+		set_child(node, lane, &bounds_nothing, b->latest_leaf);
+	return self;
+}
 
-	struct bvh *v = &b.bvh;
-	v->nodes = ARENA_ARRAY(arena, count_nodes(&b, 0), struct bvh_node);
-	emit(&b, 0, 1);
-	uint32_t *slots = v->slots;
-	v->slots = arena_copy(arena, slots, v->slot_count * sizeof *slots);
-	free(slots);
-	free(b.items);
+struct bvh bvh_build(struct arena *arena, struct bvh_item *items, size_t count, unsigned threads)
+{
+	struct builder b = { .items = items, .tree = memory_alloc(count, sizeof *b.tree) };
+	const struct range whole = { 0, 0, (uint32_t)count };
+	build_binary(&b, (uint32_t)count, threads);
+	find_cuts(&b, whole);
+	b.bvh.nodes = ARENA_ARRAY(arena, count_nodes(&b, whole), struct bvh_node);
+	emit(&b, whole, 1);
 	free(b.tree);
 	free(b.jobs);
 	return b.bvh;

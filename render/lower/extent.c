@@ -39,7 +39,7 @@ static bool absorbs(struct lowering *l, const struct draft *d, const transform *
 
 static box box_of_placed(struct lowering *l, const struct draft *d)
 {
-	const struct extent *e = d->extent;
+	const struct extent *e = d->extras->extent;
 	void *moved;
 	absorbs(l, d, &e->absorbed, &moved);
 	return box_of_shape(d->shape, moved, e->has_rest ? &e->rest : NULL);
@@ -48,7 +48,7 @@ static box box_of_placed(struct lowering *l, const struct draft *d)
 /* A shape takes in what it can; from the first transformation on that it cannot, its corners move. */
 static void move_shape(struct lowering *l, struct draft *d, const transform *t)
 {
-	struct extent *e = d->extent;
+	struct extent *e = d->extras->extent;
 	const transform all = transform_compose(&e->absorbed, t);
 	void *moved;
 	if (!e->has_rest && absorbs(l, d, &all, &moved)) {
@@ -65,9 +65,9 @@ static void move_shape(struct lowering *l, struct draft *d, const transform *t)
 /* Of no children: no bound. */
 static box hull_of_children(const struct draft *d)
 {
-	box b = d->children ? box_nothing() : box_everything();
-	for (const struct draft *child = d->children; child; child = child->next)
-		b = box_union(b, whole(child->extent->box));
+	box b = d->extras->children ? box_nothing() : box_everything();
+	for (const struct draft *child = d->extras->children; child; child = child->next)
+		b = box_union(b, whole(child->extras->extent->box));
 	return b;
 }
 
@@ -75,25 +75,26 @@ static box hull_of_children(const struct draft *d)
 static box reached(struct lowering *l, const struct draft *d, box b)
 {
 	void *moved;
-	if (!d->shape || !d->shape->extent_within || !absorbs(l, d, &d->place, &moved))
+	const transform place = draft_place(d);
+	if (!d->shape || !d->shape->extent_within || !absorbs(l, d, &place, &moved))
 		return b;
 	return box_intersection(b, d->shape->extent_within(moved, b));
 }
 
 static bool is_counted(const struct draft *child)
 {
-	return !child->extent->inverted && child->kind != DRAFT_LIGHT;
+	return !child->extras->extent->inverted && child->kind != DRAFT_LIGHT;
 }
 
 /* Also of planes along the axes; last come shapes whose reach depends on the others. */
 static box common_of_children(struct lowering *l, const struct draft *d)
 {
 	box b = box_everything();
-	for (const struct draft *child = d->children; child; child = child->next) {
+	for (const struct draft *child = d->extras->children; child; child = child->next) {
 		if (is_counted(child))
-			b = box_intersection(b, child->extent->box);
+			b = box_intersection(b, child->extras->extent->box);
 	}
-	for (const struct draft *child = d->children; child; child = child->next) {
+	for (const struct draft *child = d->extras->children; child; child = child->next) {
 		if (is_counted(child))
 			b = reached(l, child, b);
 	}
@@ -144,26 +145,26 @@ void extent_begin(struct lowering *l, struct draft *d)
 	e->box = first_box(l, d);
 	if (d->kind == DRAFT_CSG && is_long(e->box))
 		e->box = box_everything();
-	d->extent = e;
+	draft_extras(l, d)->extent = e;
 }
 
 void extent_move(struct lowering *l, struct draft *d, const transform *t)
 {
 	if (d->kind == DRAFT_SHAPE && d->shape->step)
-		d->extent->box = box_of_shape(d->shape, d->self, NULL);
+		d->extras->extent->box = box_of_shape(d->shape, d->self, NULL);
 	else if (d->kind == DRAFT_SHAPE && !d->shape->moves_extent)
 		move_shape(l, d, t);
-	else if (!box_is_empty(d->extent->box))
-		d->extent->box = transform_box(t, d->extent->box);
+	else if (!box_is_empty(d->extras->extent->box))
+		d->extras->extent->box = transform_box(t, d->extras->extent->box);
 }
 
 /* A shape that turns itself inside out (plane) is a shape like others afterwards. */
 void extent_invert(struct lowering *l, struct draft *d)
 {
 	if (d->kind == DRAFT_SHAPE && d->shape->invert)
-		d->extent->box = box_of_placed(l, d);
+		d->extras->extent->box = box_of_placed(l, d);
 	else
-		d->extent->inverted = !d->extent->inverted;
+		d->extras->extent->inverted = !d->extras->extent->inverted;
 }
 
 /* What the boxes of the cutters have in common: of planes as well, or only of what is bounded. */
@@ -171,8 +172,8 @@ static box common_of_cutters(const struct draft *list, bool with_planes)
 {
 	box b = box_everything();
 	for (; list; list = list->next) {
-		const box own = list->extent->box;
-		if (!list->extent->inverted)
+		const box own = list->extras->extent->box;
+		if (!list->extras->extent->inverted)
 			b = box_intersection(b, with_planes ? own : whole(own));
 	}
 	return b;
@@ -187,12 +188,13 @@ static void replace_if_smaller(struct extent *e, box b)
 void extent_clip(struct lowering *l, struct draft *d)
 {
 	if (d->shape && d->shape->extent_within)
-		replace_if_smaller(d->extent, reached(l, d, common_of_cutters(d->clips, true)));
+		replace_if_smaller(d->extras->extent,
+			reached(l, d, common_of_cutters(d->extras->clips, true)));
 }
 
 void extent_cut(struct draft *d)
 {
-	replace_if_smaller(d->extent, common_of_cutters(d->clips, false));
+	replace_if_smaller(d->extras->extent, common_of_cutters(d->extras->clips, false));
 	if (!d->bounds_are_clips)
-		replace_if_smaller(d->extent, common_of_cutters(d->bounds, false));
+		replace_if_smaller(d->extras->extent, common_of_cutters(d->extras->bounds, false));
 }

@@ -39,6 +39,13 @@ static void list_add(struct object_list *list, struct object *o)
 	list->items[list->count++] = o;
 }
 
+/* What has been added behind the first so many. */
+static struct object_list list_from(const struct object_list *list, size_t first)
+{
+	return (struct object_list){ list->items ? list->items + first : NULL, list->count - first,
+		0 };
+}
+
 static void scene_add_object(struct scene *s, struct object *o)
 {
 	if (s->object_count == s->object_room) {
@@ -89,12 +96,12 @@ static struct heritage inherit(const struct heritage *parent, const struct draft
 		h.texture = d->texture;
 		h.uv_mapping = d->uv_mapping;
 	}
-	if (d->interior_texture)
-		h.interior_texture = d->interior_texture;
-	if (d->interior)
-		h.interior = d->interior;
+	if (d->extras->interior_texture)
+		h.interior_texture = d->extras->interior_texture;
+	if (d->extras->interior)
+		h.interior = d->extras->interior;
 	h.in_compound |= d->kind == DRAFT_CSG || d->kind == DRAFT_TEXT;
-	h.in_solid |= d->kind == DRAFT_CSG && (d->csg != CSG_UNION || d->clips);
+	h.in_solid |= d->kind == DRAFT_CSG && (d->csg != CSG_UNION || d->extras->clips);
 	h.no_shadow |= d->no_shadow;
 	h.no_image |= d->no_image;
 	h.no_reflection |= d->no_reflection;
@@ -180,10 +187,10 @@ static const struct object *const *finish_cutters(
 static void finish_cutting(
 	struct lowering *l, const struct draft *d, const struct heritage *h, struct object *o)
 {
-	if (!d->clips)
+	if (!d->extras->clips)
 		return;
 	struct object_extras *e = extras_of(l, o);
-	e->clips = finish_cutters(l, d->clips, h, &e->clip_count);
+	e->clips = finish_cutters(l, d->extras->clips, h, &e->clip_count);
 }
 
 static void finish_lights(struct lowering *l, const struct heritage *h, struct object *o)
@@ -215,27 +222,29 @@ static void finish_leaf(
 	object_set_bounds(o);
 }
 
+/* Objects that moved together share their place. */
 static const transform *place_copy(struct lowering *l, const transform *place)
 {
-	transform *copy = arena_pack(l->arena, sizeof *copy);
-	*copy = *place;
-	return copy;
+	if (!l->latest_place || memcmp(l->latest_place, place, sizeof *place) != 0) {
+		transform *copy = arena_pack(l->arena, sizeof *copy);
+		*copy = *place;
+		l->latest_place = copy;
+	}
+	return l->latest_place;
 }
 
 static struct object *finish_shape(struct lowering *l, struct draft *d, const struct heritage *h)
 {
-	struct object *o = arena_pack(l->arena, sizeof *o);
+	struct object *o = d->object;
 	o->shape = d->shape;
-	const bool moved = d->is_placed && !transform_is_identity(&d->place);
+	o->self = d->self;
+	const bool moved = d->place && !transform_is_identity(d->place);
 	/* uv coordinates of a sphere are those before its transformations */
-	if (moved && (h->uv_mapping || !d->shape->absorb || !d->shape->absorb(d->self, &d->place)))
-		o->place = place_copy(l, &d->place);
-	void *self = arena_pack(l->arena, d->shape->size);
-	memcpy(self, d->self, d->shape->size);
-	o->self = self;
+	if (moved && (h->uv_mapping || !d->shape->absorb || !d->shape->absorb(d->self, d->place)))
+		o->place = place_copy(l, d->place);
 	finish_leaf(l, d, h, o);
 	if (moved && !o->place && d->shape->uv && l->has_uv_mapping)
-		extras_of(l, o)->uv_place = place_copy(l, &d->place);
+		extras_of(l, o)->uv_place = place_copy(l, d->place);
 	return o;
 }
 
@@ -339,10 +348,10 @@ static void finish_bounds(struct lowering *l, struct draft *d, const struct heri
 {
 	*bounds = NULL;
 	*count = 0;
-	if (!d->bounds || d->bounds_are_clips)
+	if (!d->extras->bounds || d->bounds_are_clips)
 		return;
 	uint32_t all = 0, tight = 0;
-	const struct object *const *made = finish_cutters(l, d->bounds, h, &all);
+	const struct object *const *made = finish_cutters(l, d->extras->bounds, h, &all);
 	const box hull = hull_of(list);
 	for (uint32_t i = 0; i < all; i++)
 		tight += !holds_box(made[i], hull);
@@ -354,7 +363,7 @@ static void finish_bounds(struct lowering *l, struct draft *d, const struct heri
 
 static bool has_light(const struct draft *d)
 {
-	for (const struct draft *child = d->children; child; child = child->next)
+	for (const struct draft *child = d->extras->children; child; child = child->next)
 		if (child->kind == DRAFT_LIGHT)
 			return true;
 	return false;
@@ -364,9 +373,9 @@ static bool has_light(const struct draft *d)
 static void warn_of_bounds(
 	struct lowering *l, const struct draft *d, const struct object_list *bounded)
 {
-	if (d->bounds && !d->bounds_are_clips && !l->for_questions &&
+	if (d->extras->bounds && !d->bounds_are_clips && !l->for_questions &&
 		!box_is_unbounded(hull_of(bounded)))
-		diag_warning(l->diag, d->bounds->node->span,
+		diag_warning(l->diag, d->extras->bounds->node->span,
 			"bounded_by is not needed: each finite object has its own bounds");
 }
 
@@ -392,7 +401,7 @@ static void intersect_bounds(struct object *o, const struct object *const *bound
 
 static bool has_flags_within(const struct draft *d)
 {
-	for (const struct draft *child = d->children; child; child = child->next) {
+	for (const struct draft *child = d->extras->children; child; child = child->next) {
 		if (child->no_image || child->no_reflection || child->no_shadow ||
 			has_flags_within(child))
 			return true;
@@ -403,7 +412,7 @@ static bool has_flags_within(const struct draft *d)
 /* Whether a union stays one object. Bounds that cut nothing off only matter to flags. */
 static bool is_kept(const struct draft *d)
 {
-	return d->clips || !d->split_union || (d->bounds && has_flags_within(d));
+	return d->extras->clips || !d->split_union || (d->extras->bounds && has_flags_within(d));
 }
 
 /*
@@ -427,7 +436,7 @@ static uint32_t missing_for(const struct draft *d, bool in_compound)
 		d->kind == DRAFT_CSG && (in_compound || d->csg != CSG_UNION || is_kept(d));
 	const bool leaves_out = is_compound && d->csg != CSG_INTERSECTION;
 	uint32_t kinds = 0;
-	for (const struct draft *child = d->children; child; child = child->next) {
+	for (const struct draft *child = d->extras->children; child; child = child->next) {
 		kinds |= missing_for(child, is_compound);
 		if (leaves_out && child->no_image)
 			kinds |= RAY_CAMERA | RAY_SECONDARY;
@@ -442,7 +451,7 @@ static size_t collect_unseen(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *members)
 {
 	const size_t before = members->count;
-	for (struct draft *child = d->children; child; child = child->next) {
+	for (struct draft *child = d->extras->children; child; child = child->next) {
 		if (is_left_out(d, child, h))
 			list_add(members, collect_one(l, child, h));
 	}
@@ -452,30 +461,28 @@ static size_t collect_unseen(
 static void collect_union(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
-	struct object_list members = { NULL, 0, 0 };
 	const struct interior *interior = shared_interior(l, d, h);
-	for (struct draft *child = d->children; child; child = child->next)
+	const size_t first = out->count;
+	for (struct draft *child = d->extras->children; child; child = child->next)
 		if (!is_left_out(d, child, h))
-			collect(l, child, h, &members);
-	const size_t unseen = collect_unseen(l, d, h, &members);
+			collect(l, child, h, out);
+	const size_t unseen = collect_unseen(l, d, h, out);
+	const struct object_list members = list_from(out, first);
 	const struct object *const *bounds;
 	uint32_t bound_count;
 	finish_bounds(l, d, h, &members, &bounds, &bound_count);
 	if (d->split_union && !h->in_solid && !has_light(d))
 		warn_of_bounds(l, d, &members);
-	if (!bound_count && !unseen && !is_kept(d)) {
-		for (size_t i = 0; i < members.count; i++)
-			list_add(out, members.items[i]);
-	} else if (members.count) {
+	if (members.count && (bound_count || unseen || is_kept(d))) {
 		struct object *o = wrap(l, CSG_UNION, &members, unseen, h);
 		o->interior = interior;
 		finish_cutting(l, d, h, o);
 		keep_bounds(l, o, bounds, bound_count);
 		object_set_bounds(o);
 		intersect_bounds(o, bounds, bound_count);
+		out->count = first;
 		list_add(out, o);
 	}
-	free(members.items);
 }
 
 /* An intersection of nothing is everywhere: what it is a part of may need that. */
@@ -484,7 +491,7 @@ static void collect_compound(
 {
 	struct object_list members = { NULL, 0, 0 };
 	const struct interior *interior = shared_interior(l, d, h);
-	for (struct draft *child = d->children; child; child = child->next) {
+	for (struct draft *child = d->extras->children; child; child = child->next) {
 		if (child->kind == DRAFT_LIGHT)
 			collect(l, child, h, out);
 		else if (!is_left_out(d, child, h))
@@ -516,7 +523,8 @@ static void collect_text(
 	const struct interior *interior = shared_interior(l, d, h);
 	struct object_list letters = { NULL, 0, 0 };
 	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
-	lower_text(l, d->node, &d->place, add_glyph, NULL, &glyphs);
+	const transform place = draft_place(d);
+	lower_text(l, d->node, &place, add_glyph, NULL, &glyphs);
 	if (d->inverted) {
 		struct object *o = wrap(l, CSG_INTERSECTION, &letters, 0, h);
 		o->interior = interior;
@@ -531,19 +539,20 @@ static void collect_text(
 static void collect_light(struct lowering *l, struct draft *d, const struct heritage *h,
 	bool in_group, struct object_list *out)
 {
-	light_finish(d->light);
-	d->light->group_only = in_group;
-	if (d->projected_through) {
+	light_finish(d->extras->light);
+	d->extras->light->group_only = in_group;
+	if (d->extras->projected_through) {
 		const struct heritage plain = { .fallback = h->fallback, .state = h->state };
-		d->light->projected_through = collect_one(l, d->projected_through, &plain);
+		d->extras->light->projected_through =
+			collect_one(l, d->extras->projected_through, &plain);
 	}
-	scene_add_light(l->scene, d->light);
-	if (d->looks_like) {
+	scene_add_light(l->scene, d->extras->light);
+	if (d->extras->looks_like) {
 		const struct heritage lamp = { .fallback = h->fallback,
 			.state = h->state,
 			.no_shadow = true,
 			.global_lights = true };
-		collect(l, d->looks_like, &lamp, out);
+		collect(l, d->extras->looks_like, &lamp, out);
 	}
 }
 
@@ -553,20 +562,20 @@ static void collect_group(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
 	size_t count = 0;
-	for (struct draft *child = d->children; child; child = child->next)
+	for (struct draft *child = d->extras->children; child; child = child->next)
 		count += child->kind == DRAFT_LIGHT;
 	const struct light **lights = ARENA_ARRAY(l->arena, count + 1, const struct light *);
 	size_t i = 0;
-	for (struct draft *child = d->children; child; child = child->next) {
+	for (struct draft *child = d->extras->children; child; child = child->next) {
 		if (child->kind == DRAFT_LIGHT)
-			lights[i++] = child->light;
+			lights[i++] = child->extras->light;
 	}
 	struct heritage own = *h;
 	own.lights = lights;
 	own.global_lights = d->global_lights;
 	const struct interior *interior = shared_interior(l, d, h);
 	struct object_list members = { NULL, 0, 0 };
-	for (struct draft *child = d->children; child; child = child->next) {
+	for (struct draft *child = d->extras->children; child; child = child->next) {
 		if (child->kind == DRAFT_LIGHT && !h->is_repeat)
 			collect_light(l, child, h, true, out);
 		else if (child->kind != DRAFT_LIGHT && d->csg == CSG_UNION)
@@ -656,13 +665,17 @@ const struct object *lower_inside_object(struct lowering *l, const struct node *
 	struct draft_interior *fallback = NULL;
 	const struct heritage none = { .fallback = &fallback, .state = block->state };
 	struct draft *d = NULL;
+	struct arena *const before = l->states;
+	l->states = l->statement_states; /* the object is of the scene, whoever keeps the test */
 	for (const struct node *item = block->children; item; item = item->next) {
 		if (!d && node_is_object(item)) {
 			d = draft_from_node(l, item);
 		} else if (d && node_is_transform(item)) {
-			const struct step step = lower_step(l, item);
+			struct step step = lower_step(l, item);
 			draft_transform(l, d, &step);
 		}
 	}
-	return d ? collect_one(l, d, &none) : NULL;
+	const struct object *o = d ? collect_one(l, d, &none) : NULL;
+	l->states = before;
+	return o;
 }

@@ -80,6 +80,7 @@ void lowering_init(struct lowering *l, const struct lower_options *options, stru
 
 void lowering_forget(struct lowering *l)
 {
+	l->begun = (struct begun_compound){ .first = NULL };
 	arena_reset(l->statement_states);
 }
 
@@ -109,6 +110,13 @@ void lower_statements(struct lowering *l, const struct node *first)
 		if (l->given_up)
 			diag_note(l->diag, n->span, "too many errors: stopped here");
 	}
+}
+
+bool lower_members(struct lowering *l, span word, const struct node *first)
+{
+	if (!l->given_up)
+		draft_members(l, word, first);
+	return !l->begun.has_nodes;
 }
 
 bool lower_end(struct lowering *l, const struct language_state *final)

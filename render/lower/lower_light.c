@@ -137,17 +137,17 @@ static void read_attached(struct lowering *l, const struct node *item, struct dr
 	if (!object)
 		return;
 	if (item->keyword == K_LOOKS_LIKE) {
-		const struct step to_light = { transform_translate(d->light->location), false };
+		struct step to_light = { .t = transform_translate(d->extras->light->location) };
 		draft_transform(l, object, &to_light);
-		if (d->looks_like)
+		if (d->extras->looks_like)
 			diag_error(
 				l->diag, item->span, "a light_source can have only one looks_like");
-		d->looks_like = object;
+		draft_extras(l, d)->looks_like = object;
 	} else {
-		if (d->projected_through)
+		if (d->extras->projected_through)
 			diag_error(l->diag, item->span,
 				"a light_source can have only one projected_through");
-		d->projected_through = object;
+		draft_extras(l, d)->projected_through = object;
 	}
 }
 
@@ -166,12 +166,12 @@ static void check_area(struct lowering *l, const struct node *n, const struct li
 
 void lower_light_items(struct lowering *l, const struct node *n, struct draft *d)
 {
-	struct light *light = d->light;
+	struct light *light = d->extras->light;
 	light->location = lower_vector(l, n, 0, "a location");
 	light->colour = lower_rgb(l, n, 1, "a colour");
 	for (const struct node *item = n->children; item; item = item->next) {
 		if (node_is_transform(item)) {
-			const struct step step = lower_step(l, item);
+			struct step step = lower_step(l, item);
 			draft_transform(l, d, &step);
 		} else if (item->keyword == K_LOOKS_LIKE || item->keyword == K_PROJECTED_THROUGH) {
 			read_attached(l, item, d);

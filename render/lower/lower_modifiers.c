@@ -22,7 +22,12 @@ static void add_interior_texture(struct lowering *l, struct draft *d, const stru
 	struct node *as_texture = arena_copy(l->states, item, sizeof *item);
 	as_texture->keyword = K_TEXTURE;
 	as_texture->next = NULL;
-	add_texture(l, &d->interior_texture, as_texture);
+	add_texture(l, &draft_extras(l, d)->interior_texture, as_texture);
+}
+
+static void add_interior(struct lowering *l, struct draft *d, const struct node *n)
+{
+	draft_extras(l, d)->interior = lower_interior(l, n, d->extras->interior);
 }
 
 static void add_material(struct lowering *l, struct draft *d, const struct node *material)
@@ -32,7 +37,7 @@ static void add_material(struct lowering *l, struct draft *d, const struct node 
 		if (n->keyword == K_MATERIAL)
 			add_material(l, d, n);
 		else if (n->keyword == K_INTERIOR)
-			d->interior = lower_interior(l, n, d->interior);
+			add_interior(l, d, n);
 		else if (n->keyword == K_INTERIOR_TEXTURE)
 			add_interior_texture(l, d, n);
 		else if (node_is_transform(item) && d->texture) {
@@ -50,7 +55,7 @@ bool draft_is_patch(const struct draft *d)
 {
 	if (d->kind == DRAFT_LIGHT || (d->kind == DRAFT_SHAPE && d->shape->is_patch))
 		return true;
-	for (const struct draft *child = d->children; child; child = child->next) {
+	for (const struct draft *child = d->extras->children; child; child = child->next) {
 		const bool is_its_light = d->kind == DRAFT_GROUP && child->kind == DRAFT_LIGHT;
 		if (!is_its_light && draft_is_patch(child))
 			return true;
@@ -76,7 +81,7 @@ static void read_cutters(struct lowering *l, const struct node *n, struct draft 
 	struct draft **first = list;
 	for (const struct node *item = n->children; item; item = item->next) {
 		if (node_is_transform(item)) {
-			const struct step step = lower_step(l, item);
+			struct step step = lower_step(l, item);
 			drafts_transform(l, *first, &step);
 			continue;
 		}
@@ -92,14 +97,15 @@ static void read_cutters(struct lowering *l, const struct node *n, struct draft 
 static void add_cutters(struct lowering *l, struct draft *d, const struct node *n)
 {
 	const bool clips = n->keyword == K_CLIPPED_BY;
-	struct draft **own = clips ? &d->clips : &d->bounds;
-	struct draft *other = clips ? d->bounds : d->clips;
+	struct draft_extras *e = draft_extras(l, d);
+	struct draft **own = clips ? &e->clips : &e->bounds;
+	struct draft *other = clips ? e->bounds : e->clips;
 	if (d->bounds_are_clips) {
 		diag_error(l->diag, n->span, "%s after the two lists have been linked",
 			keyword_name(n->keyword));
 	} else if (!node_child(n, clips ? K_BOUNDED_BY : K_CLIPPED_BY)) {
 		read_cutters(l, n, own);
-		if (clips && d->extent)
+		if (clips && d->extras->extent)
 			extent_clip(l, d);
 	} else if (*own) {
 		diag_error(l->diag, n->span, "%s has its own objects and cannot be linked as well",
@@ -119,20 +125,20 @@ void draft_invert(struct lowering *l, struct draft *d)
 		return;
 	if (d->kind == DRAFT_CSG || d->kind == DRAFT_GROUP) {
 		d->csg = d->csg == CSG_INTERSECTION ? CSG_MERGE : CSG_INTERSECTION;
-		for (struct draft *child = d->children; child; child = child->next)
+		for (struct draft *child = d->extras->children; child; child = child->next)
 			draft_invert(l, child);
 	} else if (d->kind == DRAFT_SHAPE && d->shape->invert) {
 		d->shape->invert(d->self);
 	} else {
 		d->inverted = !d->inverted;
 	}
-	if (d->extent)
+	if (d->extras->extent)
 		extent_invert(l, d);
 }
 
 static void spread_hollow(struct draft *d, bool hollow)
 {
-	for (struct draft *child = d->children; child; child = child->next) {
+	for (struct draft *child = d->extras->children; child; child = child->next) {
 		if (child->hollow_set)
 			continue;
 		child->hollow = hollow;
@@ -143,7 +149,7 @@ static void spread_hollow(struct draft *d, bool hollow)
 static void spread_double_illuminate(struct draft *d, bool on)
 {
 	d->double_illuminate = on;
-	for (struct draft *child = d->children; child; child = child->next)
+	for (struct draft *child = d->extras->children; child; child = child->next)
 		spread_double_illuminate(child, on);
 }
 
@@ -217,7 +223,7 @@ void draft_modify(struct lowering *l, struct draft *d, const struct node *item)
 {
 	const struct node *n = node_resolve(item);
 	if (node_is_transform(item)) {
-		const struct step step = lower_step(l, item);
+		struct step step = lower_step(l, item);
 		draft_transform(l, d, &step);
 		return;
 	}
@@ -236,7 +242,7 @@ void draft_modify(struct lowering *l, struct draft *d, const struct node *item)
 		add_material(l, d, n);
 		return;
 	case K_INTERIOR:
-		d->interior = lower_interior(l, n, d->interior);
+		add_interior(l, d, n);
 		return;
 	case K_CLIPPED_BY:
 	case K_BOUNDED_BY:

@@ -18,14 +18,42 @@ bool node_is_object(const struct node *item)
 	return keyword_is_object(node_resolve(item)->keyword);
 }
 
+static const struct draft_extras no_extras;
+
+struct draft_extras *draft_extras(struct lowering *l, struct draft *d)
+{
+	if (d->extras == &no_extras)
+		d->extras = arena_pack(l->states, sizeof *d->extras);
+	return (struct draft_extras *)(uintptr_t)d->extras;
+}
+
+transform draft_place(const struct draft *d)
+{
+	return d->place ? *d->place : transform_identity();
+}
+
 static struct draft *draft_create(struct lowering *l, enum draft_kind kind, const struct node *n)
 {
-	struct draft *d = ARENA_NEW(l->states, struct draft);
+	struct draft *d = arena_pack(l->states, sizeof *d);
 	d->kind = kind;
 	d->node = n;
-	d->place = transform_identity();
+	d->extras = &no_extras;
 	d->split_union = true;
 	return d;
+}
+
+/* What is declared is no part of the scene: copies of it will be. */
+static struct arena *arena_of_objects(const struct lowering *l)
+{
+	return l->states == l->declared_states ? l->declared_states : l->arena;
+}
+
+/* Gives a draft a shape, whose data are still zero. */
+static void set_shape(struct lowering *l, struct draft *d, const struct shape_class *shape)
+{
+	d->object = arena_pack(arena_of_objects(l), sizeof *d->object + shape->size);
+	d->shape = shape;
+	d->self = d->object + 1;
 }
 
 static struct looks *looks_copy(struct lowering *l, const struct looks *looks)
@@ -54,76 +82,101 @@ static struct draft *list_copy(struct lowering *l, const struct draft *list)
 	return first;
 }
 
+static struct draft_extras *extras_copy(
+	struct lowering *l, const struct draft_extras *e, bool bounds_are_clips)
+{
+	struct draft_extras *copy = arena_copy(l->states, e, sizeof *e);
+	copy->children = list_copy(l, e->children);
+	if (e->light)
+		copy->light = arena_copy(l->arena, e->light, sizeof *e->light);
+	copy->looks_like = e->looks_like ? draft_copy(l, e->looks_like) : NULL;
+	copy->projected_through = e->projected_through ? draft_copy(l, e->projected_through) : NULL;
+	copy->interior_texture = looks_copy(l, e->interior_texture);
+	copy->interior = interior_copy(l, e->interior);
+	if (e->extent)
+		copy->extent = arena_copy(l->states, e->extent, sizeof *e->extent);
+	copy->clips = list_copy(l, e->clips);
+	copy->bounds = bounds_are_clips ? copy->clips : list_copy(l, e->bounds);
+	return copy;
+}
+
 static struct draft *draft_copy(struct lowering *l, const struct draft *d)
 {
 	struct draft *copy = arena_copy(l->states, d, sizeof *d);
 	copy->next = NULL;
-	copy->children = list_copy(l, d->children);
-	if (d->self)
-		copy->self = arena_copy(l->states, d->self, d->shape->size);
-	if (d->light)
-		copy->light = arena_copy(l->arena, d->light, sizeof *d->light);
-	copy->looks_like = d->looks_like ? draft_copy(l, d->looks_like) : NULL;
-	copy->projected_through = d->projected_through ? draft_copy(l, d->projected_through) : NULL;
+	if (d->shape) {
+		set_shape(l, copy, d->shape);
+		memcpy(copy->self, d->self, d->shape->size);
+	}
 	copy->texture = looks_copy(l, d->texture);
-	copy->interior_texture = looks_copy(l, d->interior_texture);
-	copy->interior = interior_copy(l, d->interior);
-	if (d->extent)
-		copy->extent = arena_copy(l->states, d->extent, sizeof *d->extent);
-	copy->clips = list_copy(l, d->clips);
-	copy->bounds = d->bounds_are_clips ? copy->clips : list_copy(l, d->bounds);
+	if (d->extras != &no_extras)
+		copy->extras = extras_copy(l, d->extras, d->bounds_are_clips);
 	return copy;
 }
 
-static void share_identities(struct draft *copy, const struct draft *original)
+static void share_identities(struct lowering *l, struct draft *copy, const struct draft *original)
 {
-	copy->interior = original->interior;
-	copy->light = original->light;
-	const struct draft *from = original->children;
-	for (struct draft *to = copy->children; to; to = to->next, from = from->next)
-		share_identities(to, from);
+	if (original->extras == &no_extras)
+		return;
+	struct draft_extras *e = draft_extras(l, copy);
+	e->interior = original->extras->interior;
+	e->light = original->extras->light;
+	const struct draft *from = original->extras->children;
+	for (struct draft *to = e->children; to; to = to->next, from = from->next)
+		share_identities(l, to, from);
 }
 
 struct draft *draft_twin(struct lowering *l, const struct draft *d)
 {
 	struct draft *copy = draft_copy(l, d);
-	share_identities(copy, d);
+	share_identities(l, copy, d);
 	return copy;
 }
 
 struct step lower_step(struct lowering *l, const struct node *item)
 {
-	return (struct step){ lower_transform(l, item), node_resolve(item)->keyword == K_SCALE };
+	return (struct step){ .t = lower_transform(l, item),
+		.is_scale = node_resolve(item)->keyword == K_SCALE };
 }
 
-void drafts_transform(struct lowering *l, struct draft *list, const struct step *step)
+void drafts_transform(struct lowering *l, struct draft *list, struct step *step)
 {
 	for (; list; list = list->next)
 		draft_transform(l, list, step);
 }
 
-void draft_transform(struct lowering *l, struct draft *d, const struct step *step)
+static void move_place(struct lowering *l, struct draft *d, struct step *step)
+{
+	if (!step->to || step->from != d->place) {
+		const transform before = draft_place(d);
+		const transform after = transform_compose(&before, &step->t);
+		step->from = d->place;
+		step->to = arena_copy(l->states, &after, sizeof after);
+	}
+	d->place = step->to;
+}
+
+void draft_transform(struct lowering *l, struct draft *d, struct step *step)
 {
 	const transform *t = &step->t;
-	drafts_transform(l, d->clips, step);
+	drafts_transform(l, d->extras->clips, step);
 	if (!d->bounds_are_clips)
-		drafts_transform(l, d->bounds, step);
+		drafts_transform(l, d->extras->bounds, step);
 	if (d->texture && !d->uv_mapping)
 		texture_state_transform(l, d->texture->state, t);
-	if (d->interior_texture && !d->uv_mapping)
-		texture_state_transform(l, d->interior_texture->state, t);
-	drafts_transform(l, d->children, step);
+	if (d->extras->interior_texture && !d->uv_mapping)
+		texture_state_transform(l, d->extras->interior_texture->state, t);
+	drafts_transform(l, d->extras->children, step);
 	if (d->kind == DRAFT_LIGHT) {
-		light_transform(d->light, t);
-		drafts_transform(l, d->looks_like, step);
-		drafts_transform(l, d->projected_through, step);
+		light_transform(d->extras->light, t);
+		drafts_transform(l, d->extras->looks_like, step);
+		drafts_transform(l, d->extras->projected_through, step);
 	} else if (d->shape && d->shape->step) {
 		d->shape->step(d->self, t, step->is_scale);
 	} else {
-		d->place = transform_compose(&d->place, t);
-		d->is_placed = true;
+		move_place(l, d, step);
 	}
-	if (d->extent)
+	if (d->extras->extent)
 		extent_move(l, d, t);
 }
 
@@ -206,8 +259,7 @@ static struct draft *draft_primitive(
 {
 	struct draft *d = draft_create(l, DRAFT_SHAPE, n);
 	const unsigned before = diag_errors(l->diag);
-	d->shape = shape;
-	d->self = arena_alloc(l->states, shape->size);
+	set_shape(l, d, shape);
 	fill_params(l, n, shape->params, d->self);
 	struct build_report report = { l, n };
 	struct shape_build build = {
@@ -218,6 +270,7 @@ static struct draft *draft_primitive(
 	if (build.dropped) { /* an empty union in its place */
 		d->kind = DRAFT_CSG;
 		d->csg = CSG_UNION;
+		d->object = NULL;
 		d->shape = NULL;
 		d->self = NULL;
 	}
@@ -242,9 +295,57 @@ static void warn_of_few_members(struct lowering *l, const struct node *n)
 			members == 0 ? "no objects" : "a single object");
 }
 
+/* Whether something of a draft refers to its node; if not, so does the draft no longer. */
+static bool keeps_node(struct draft *d)
+{
+	const struct draft_extras *e = d->extras;
+	if (d->kind == DRAFT_TEXT || d->texture || e->interior_texture || e->looks_like ||
+		e->projected_through || e->clips || e->bounds)
+		return true;
+	bool keeps = false;
+	for (struct draft *child = e->children; child; child = child->next)
+		keeps |= keeps_node(child);
+	if (!keeps)
+		d->node = NULL;
+	return keeps;
+}
+
+static bool is_begun(const struct begun_compound *begun, span word)
+{
+	return begun->end && begun->word.source == word.source &&
+	       begun->word.offset == word.offset && begun->word.site == word.site;
+}
+
+void draft_members(struct lowering *l, span word, const struct node *first)
+{
+	struct begun_compound *begun = &l->begun;
+	if (!is_begun(begun, word))
+		*begun = (struct begun_compound){ .word = word, .end = &begun->first };
+	for (const struct node *item = first; item; item = item->next) {
+		struct draft *child = draft_from_node(l, item);
+		if (!child)
+			continue;
+		begun->has_nodes |= keeps_node(child);
+		*begun->end = child;
+		begun->end = &child->next;
+	}
+}
+
+/* Where the next child goes, behind the members that are drafted already. */
+static struct draft **adopt_members(struct lowering *l, struct draft *d)
+{
+	struct draft_extras *e = draft_extras(l, d);
+	if (!is_begun(&l->begun, d->node->word))
+		return &e->children;
+	struct draft **end = l->begun.first ? l->begun.end : &e->children;
+	e->children = l->begun.first;
+	l->begun = (struct begun_compound){ .first = NULL };
+	return end;
+}
+
 static void read_children(struct lowering *l, const struct node *n, struct draft *d)
 {
-	struct draft **end = &d->children;
+	struct draft **end = adopt_members(l, d);
 	bool first = true;
 	for (const struct node *item = n->children; item; item = item->next) {
 		if (!node_is_object(item))
@@ -270,7 +371,7 @@ static void read_modifiers(struct lowering *l, const struct node *n, struct draf
 
 static void warn_of_patches(struct lowering *l, const struct draft *d)
 {
-	for (const struct draft *child = d->children; child; child = child->next)
+	for (const struct draft *child = d->extras->children; child; child = child->next)
 		if (draft_is_patch(child))
 			diag_warning(l->diag, child->node->word,
 				"%s has no inside, or a part without one: its place is in a union, "
@@ -285,7 +386,8 @@ static struct draft *draft_csg(struct lowering *l, const struct node *n)
 	d->csg = n->keyword == K_MERGE				      ? CSG_MERGE
 		 : n->keyword == K_UNION || n->keyword == K_COMPOSITE ? CSG_UNION
 								      : CSG_INTERSECTION;
-	warn_of_few_members(l, n);
+	if (!is_begun(&l->begun, n->word)) /* else there are many */
+		warn_of_few_members(l, n);
 	read_children(l, n, d);
 	if (d->csg == CSG_INTERSECTION)
 		warn_of_patches(l, d);
@@ -297,8 +399,9 @@ static struct draft *draft_csg(struct lowering *l, const struct node *n)
 static struct draft *draft_light(struct lowering *l, const struct node *n)
 {
 	struct draft *d = draft_create(l, DRAFT_LIGHT, n);
-	d->light = ARENA_NEW(l->arena, struct light);
-	light_defaults(d->light);
+	struct light *light = ARENA_NEW(l->arena, struct light);
+	draft_extras(l, d)->light = light;
+	light_defaults(light);
 	extent_begin(l, d);
 	lower_light_items(l, n, d);
 	return d;
@@ -388,7 +491,7 @@ static struct draft *draft_complete(struct lowering *l, const struct node *n)
 	if (!d)
 		return NULL;
 	check_interior_texture(l, n, d);
-	if (d->extent)
+	if (d->extras->extent)
 		extent_cut(d);
 	return d;
 }

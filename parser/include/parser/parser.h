@@ -73,6 +73,10 @@ struct parse_options {
 	 * handed over, in order, and forgotten; only the last of them are in the ast. They live in
 	 * `passing`, which is reset behind each call. NULL: the ast has them all. */
 	void (*statements)(void *user, const struct node *first);
+	/* The same for members of a union or merge that is large itself, whose word stands there: the
+	 * statement will come with the others. False: something refers to them, so that they stay until
+	 * then. */
+	bool (*members)(void *user, span word, const struct node *first);
 	void *statements_user;
 	struct arena *passing;
 };

@@ -38,33 +38,46 @@ struct extent {
 	bool has_rest, inverted;
 };
 
-struct draft {
-	enum draft_kind kind;
-	const struct node *node;
-	struct draft *next, *children;
-
-	const struct shape_class *shape;
-	void *self;
-	transform place;
-	bool is_placed;
-
-	enum csg_kind csg;
-	bool is_difference; /* written as difference: for messages */
-	bool split_union;   /* may be dissolved */
-
+/* What few drafts have. */
+struct draft_extras {
+	struct draft *children;
 	struct light *light;
 	struct draft *looks_like, *projected_through;
-	bool global_lights; /* of a light_group */
-
-	struct looks *texture, *interior_texture;
+	struct looks *interior_texture;
 	struct draft_interior *interior;
 	struct draft *clips, *bounds;
-	bool bounds_are_clips; /* one list for both: transformed once */
 	struct extent *extent; /* NULL unless the lowering keeps them */
-	bool inverted, uv_mapping;
-	bool hollow, hollow_set, double_illuminate;
-	bool no_shadow, no_image, no_reflection;
 };
+
+/* A large union has millions: what is not needed by most stands in the extras. */
+struct draft {
+	struct draft *next;
+	const struct node *node;
+
+	/* The object a shape will be, and the shape's data, which stand behind it. */
+	struct object *object;
+	const struct shape_class *shape;
+	void *self;
+	const transform *place; /* never written to, since drafts share it; NULL: not moved */
+
+	struct looks *texture;
+	const struct draft_extras *extras; /* to be written through draft_extras */
+
+	enum draft_kind kind : 8;
+	enum csg_kind csg : 8;
+	bool is_difference : 1;	   /* written as difference: for messages */
+	bool split_union : 1;	   /* may be dissolved */
+	bool global_lights : 1;	   /* of a light_group */
+	bool bounds_are_clips : 1; /* one list for both: transformed once */
+	bool inverted : 1, uv_mapping : 1;
+	bool hollow : 1, hollow_set : 1, double_illuminate : 1;
+	bool no_shadow : 1, no_image : 1, no_reflection : 1;
+};
+
+/* The draft's own extras, made when first written to. */
+struct draft_extras *draft_extras(struct lowering *, struct draft *);
+/* Where it has been moved to: at first the identity. */
+transform draft_place(const struct draft *);
 
 /* An object statement, or a reference to one. NULL after an error. */
 struct draft *draft_from_node(struct lowering *, const struct node *);
@@ -74,17 +87,22 @@ struct draft *draft_twin(struct lowering *, const struct draft *);
 struct draft *draft_from_block(struct lowering *, const struct node *);
 bool node_is_object(const struct node *);
 
-/* One transformation of a statement. */
+/* One transformation of a statement, and where it brought the latest draft: mostly the others of a
+ * union come from the same place. */
 struct step {
 	transform t;
 	bool is_scale; /* written as scale */
+	const transform *from, *to;
 };
 struct step lower_step(struct lowering *, const struct node *item);
 
+/* Drafts more members of a compound whose statement has not come yet. */
+void draft_members(struct lowering *, span word, const struct node *first);
+
 /* Moves everything that is attached so far. */
-void draft_transform(struct lowering *, struct draft *, const struct step *);
+void draft_transform(struct lowering *, struct draft *, struct step *);
 /* The same with each of a list. */
-void drafts_transform(struct lowering *, struct draft *, const struct step *);
+void drafts_transform(struct lowering *, struct draft *, struct step *);
 
 /* lower_modifiers.c: the items of an object statement that are not objects. */
 void draft_modify(struct lowering *, struct draft *, const struct node *item);

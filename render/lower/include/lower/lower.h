@@ -25,6 +25,13 @@ struct lower_options {
 
 enum { FINISHES_KEPT = 8 };
 
+/* The members of a compound whose statement is still being read. */
+struct begun_compound {
+	span word;		    /* its keyword */
+	struct draft *first, **end; /* end NULL: there is none */
+	bool has_nodes;		    /* some draft refers to its node */
+};
+
 struct lowering {
 	struct scene *scene;
 	struct arena *arena;	/* the scene's: what the scene is made of */
@@ -42,7 +49,8 @@ struct lowering {
 	int **generators; /* where the noise generator is to be put that holds at the end */
 	size_t generator_count, generator_room;
 	bool for_questions; /* of the language about objects: keeps extents, and any ray sees all */
-	bool given_up;	    /* after too many errors */
+	struct begun_compound begun;
+	bool given_up;			       /* after too many errors */
 	bool has_uv_mapping;		       /* some texture met so far has it, within itself */
 	struct pointer_map drafts;	       /* declared objects drafted already, by node */
 	struct pointer_map functions;	       /* compiled already, by struct function */
@@ -50,6 +58,7 @@ struct lowering {
 	const struct texture *default_texture; /* finished, for objects without one */
 	const struct defaults *default_of;     /* the #default it was made of */
 	struct interior *plain_interior[2];    /* of opaque objects: solid, hollow */
+	const transform *latest_place;	       /* that an object was given */
 	const struct finish *finishes[FINISHES_KEPT]; /* the latest ones built */
 	unsigned finish_next;
 	const struct shape_class *shapes[KEYWORD_COUNT]; /* found already */
@@ -64,6 +73,9 @@ struct lowering {
 void lowering_init(struct lowering *, const struct lower_options *, struct diag *, struct scene *);
 /* Lowers statements of the top level, in their order; may be called again with the next ones. */
 void lower_statements(struct lowering *, const struct node *first);
+/* Lowers the next members of a union or merge of the top level whose word stands there, and which is
+ * one of the next statements. False if their nodes are still needed then. */
+bool lower_members(struct lowering *, span word, const struct node *first);
 /* Behind the last statement: what only the end of the text decides. False after an error in any. */
 bool lower_end(struct lowering *, const struct language_state *final);
 /* Frees what lowering keeps beside the scene. */
