@@ -380,8 +380,9 @@ static struct block region_of(const lambert_scene *s, const struct lambert_rende
 static struct exposure exposure_for(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	return (struct exposure){
-		.antialias = { o->antialias_method, o->antialias_threshold, o->antialias_depth,
-			o->antialias_jitter, o->antialias_gamma },
+		.sampling = sampling_of_method(o->antialias_method),
+		.antialias = { o->antialias_threshold, o->antialias_depth, o->antialias_jitter,
+			o->antialias_gamma },
 		.region = region_of(s, o),
 		.block_size = o->block_size,
 		.threads = thread_count(o->threads),
