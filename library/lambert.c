@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The public API over the stages: text -> AST -> scene -> film. Pictures in
- * files are in render/api_image.c.
+ * files are in api_image.c.
  */
 #include "lambert/lambert.h"
 
