@@ -115,16 +115,40 @@ static void print_name(const char *name, int room)
 		fputc(iscntrl((unsigned char)name[i]) ? '?' : name[i], stderr);
 }
 
-void progress_reading(void *user, const struct lambert_place *place, double seconds)
+/* Whether to say what a scene waits for. */
+static bool is_shown(const struct messages *m, double seconds)
+{
+	return seconds >= READING_IS_LONG && choose_style(m->options) == PROGRESS_BAR;
+}
+
+static void end_line(struct messages *m)
+{
+	fputs("\033[K", stderr);
+	fflush(stderr);
+	m->line_open = true;
+}
+
+bool progress_reading(void *user, const struct lambert_place *place, double seconds)
 {
 	struct messages *m = user;
-	if (seconds < READING_IS_LONG || choose_style(m->options) != PROGRESS_BAR)
-		return;
+	if (!is_shown(m, seconds))
+		return true;
 	char time[32];
 	print_duration(time, sizeof time, seconds);
 	fprintf(stderr, "\rreading, %s, line %u of ", time, place->line);
 	print_name(names_file_part(place->file ? place->file : ""), columns() - 40);
-	fputs("\033[K", stderr);
-	fflush(stderr);
-	m->line_open = true;
+	end_line(m);
+	return true;
+}
+
+bool progress_preparing(void *user, const char *what, double share_done, double seconds)
+{
+	struct messages *m = user;
+	if (!is_shown(m, seconds))
+		return true;
+	char time[32];
+	print_duration(time, sizeof time, seconds);
+	fprintf(stderr, "\r%s, %s, %.0f%%", what, time, floor(100 * share_done));
+	end_line(m);
+	return true;
 }

@@ -22,9 +22,10 @@ struct progress {
 void progress_init(struct progress *, struct messages *, const char *what);
 /* For struct lambert_render_options; `user` is a struct progress. */
 bool progress_step(void *user, double share_done);
-/* For struct lambert_scene_options; `user` is a struct messages. On a terminal, when reading takes
+/* For struct lambert_scene_options; `user` is a struct messages. On a terminal, when loading takes
  * long. */
-void progress_reading(void *user, const struct lambert_place *, double seconds);
+bool progress_reading(void *user, const struct lambert_place *, double seconds);
+bool progress_preparing(void *user, const char *what, double share_done, double seconds);
 /* Takes the bar away. */
 void progress_finish(struct progress *);
 

@@ -34,6 +34,7 @@ static bool load(struct job *job, const struct frames *frames, int frame)
 	struct lambert_scene_options options;
 	setup_scene(job->options, &job->messages, frames, frame, &options);
 	options.progress = progress_reading;
+	options.preparing = progress_preparing;
 	job->scene = lambert_scene_load(job->scene_path, &options);
 	messages_clear_line(&job->messages);
 	if (job->scene)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The public API over the stages: text -> AST -> scene -> film. Pictures in
- * files are in render/api_image.c.
+ * files are in api_image.c.
  */
 #include "lambert/lambert.h"
 
@@ -14,7 +14,7 @@
 #include "accel/accel.h"
 #include "api.h"
 #include "film/film.h"
-#include "prepare/first_calls.h"
+#include "prepare/prepare.h"
 #include "lower/lower.h"
 
 #include <stdatomic.h>
@@ -143,9 +143,9 @@ struct reading {
 	const struct lambert_scene_options *options;
 	struct scene *scene; /* NULL after an error */
 	struct lambert_scene_stats stats;
-	double start;	   /* seconds */
-	atomic_bool asked; /* where the reading is */
-	FILE *out;	   /* where a tree is printed */
+	double start, told; /* seconds: began; when a pass was last told of */
+	atomic_bool asked;  /* where the reading is */
+	FILE *out;	    /* where a tree is printed */
 	bool printed;
 	/* Gone when the text is read. */
 	struct diag *diag;
@@ -163,12 +163,12 @@ static void ask_place(void *user)
 	atomic_store_explicit(&r->asked, true, memory_order_relaxed);
 }
 
-static void tell_place(void *user, span where)
+static bool tell_place(void *user, span where)
 {
 	struct reading *r = user;
 	const struct place p = diag_place(r->diag, where);
 	const struct lambert_place place = place_for_user(&p);
-	r->options->progress(r->options->user, &place, wall_seconds() - r->start);
+	return r->options->progress(r->options->user, &place, wall_seconds() - r->start);
 }
 
 static void reading_begin(struct reading *r)
@@ -292,12 +292,31 @@ static void with_deep_stack(void (*run)(void *), struct reading *r)
 	parallel_with_stack(DEEP_STACK, run, r->options->progress ? ask_place : NULL, r);
 }
 
+/* Seconds between two calls that tell of the same pass. */
+#define TELLING_PAUSE 0.25
+
+static bool tell_pass(void *user, const char *pass, double share_done)
+{
+	struct reading *r = user;
+	const struct lambert_scene_options *o = r->options;
+	const double now = wall_seconds();
+	if (!o->preparing || (share_done > 0 && now - r->told < TELLING_PAUSE))
+		return true;
+	r->told = now;
+	return o->preparing(o->user, pass, share_done, now - r->start);
+}
+
 static void prepare(struct reading *r)
 {
 	const struct lambert_scene_options *o = r->options;
 	const double start = cpu_seconds();
-	scene_commit(r->scene, thread_count(o->threads));
-	first_calls_make(r->scene, o->width, o->height);
+	const struct preparation p = { r->scene, o->width, o->height, thread_count(o->threads),
+		tell_pass, r };
+	if (!scene_prepare(&p)) {
+		scene_destroy(r->scene);
+		r->scene = NULL;
+		return;
+	}
 	r->stats.build_cpu = cpu_seconds() - start;
 	add_tree_statistics(&r->stats, r->scene);
 }
@@ -393,8 +412,9 @@ static struct block region_of(const lambert_scene *s, const struct lambert_rende
 static struct exposure exposure_for(const lambert_scene *s, const struct lambert_render_options *o)
 {
 	return (struct exposure){
-		.antialias = { o->antialias_method, o->antialias_threshold, o->antialias_depth,
-			o->antialias_jitter, o->antialias_gamma },
+		.sampling = sampling_of_method(o->antialias_method),
+		.antialias = { o->antialias_threshold, o->antialias_depth, o->antialias_jitter,
+			o->antialias_gamma },
 		.region = region_of(s, o),
 		.block_size = o->block_size,
 		.threads = thread_count(o->threads),

@@ -131,13 +131,16 @@ static bool run_gated(struct parser *p, enum keyword keyword, const struct direc
 	return ok && !p->failed;
 }
 
-static void tell_place(const struct parser *p, span where)
+/* Tells somebody who asks where the reading is. False: it is to stop there, without an error. */
+static bool tell_place(struct parser *p, span where)
 {
 	const struct parse_options *o = p->options;
 	if (!o->asked || !atomic_load_explicit(o->asked, memory_order_relaxed))
-		return;
+		return true;
 	atomic_store_explicit(o->asked, false, memory_order_relaxed);
-	o->reached(o->reached_user, where);
+	if (!o->reached(o->reached_user, where))
+		p->failed = p->stopped = true;
+	return !p->stopped;
 }
 
 /* Whether a directive that is faulty changes nothing but the names it declares. */
@@ -159,8 +162,7 @@ bool directive_run(struct parser *p)
 		x->statement.skippable = is_skippable(d->keyword);
 	const span where = { f->source->number, raw->offset, d->length, f->site };
 	raw_step(p);
-	tell_place(p, where);
-	return run_gated(p, d->keyword, d, where);
+	return tell_place(p, where) && run_gated(p, d->keyword, d, where);
 }
 
 bool directive_bare(struct parser *p, enum keyword keyword, span where)

@@ -67,8 +67,14 @@ typedef void (*lambert_message_function)(void *user, const struct lambert_messag
 /* Text of #debug, #warning … ; `stream` is "debug", "warning", "render" or "statistics". */
 typedef void (*lambert_text_function)(void *user, const char *stream, const char *line);
 
-/* Where the reading of a scene is after that many seconds. */
-typedef void (*lambert_reading_function)(void *user, const struct lambert_place *, double seconds);
+/* Where the reading of a scene is after that many seconds. False stops it. */
+typedef bool (*lambert_reading_function)(void *user, const struct lambert_place *, double seconds);
+
+/* What is done between reading and rendering, in words, how much of it is done, and the seconds since
+ * the reading began: at the start of each step, and at most four times a second within it. False
+ * stops it. */
+typedef bool (*lambert_preparing_function)(
+	void *user, const char *what, double share_done, double seconds);
 
 struct lambert_declaration {
 	const char *name;
@@ -104,18 +110,20 @@ struct lambert_scene_options {
 	/* Called at most four times a second, at a directive of the scene, from the thread that
 	 * calls the others too. May be NULL. */
 	lambert_reading_function progress;
-	void *user; /* for all three */
+	lambert_preparing_function preparing; /* from that thread; may be NULL */
+	void *user;			      /* for all four */
 };
 void lambert_scene_options_init(struct lambert_scene_options *);
 
-/* Reads, checks and prepares a scene; NULL after an error (the messages say which). */
+/* Reads, checks and prepares a scene; NULL after an error (the messages say which), or when it was
+ * stopped. */
 lambert_scene *lambert_scene_load(const char *path, const struct lambert_scene_options *);
 void lambert_scene_destroy(lambert_scene *);
 struct lambert_scene_stats {
 	size_t tokens, objects, lights, unbounded_objects, accel_bytes;
 	double parse_cpu, lower_cpu, build_cpu; /* CPU seconds */
 };
-/* Reads and checks a scene without preparing it; false after an error. Every error that loading finds
+/* Reads and checks a scene without preparing it; false after an error, or when it was stopped. Every error that loading finds
  * is found. The numbers of what is not prepared stay 0. Nothing is written to the disk: what the scene
  * writes stays in memory, where the scene can read it. */
 bool lambert_scene_check(

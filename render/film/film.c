@@ -5,12 +5,16 @@
  * thread that owns its block. The blocks are those of the whole picture, because
  * antialiasing looks at a block at a time: a region is the same bytes as its part
  * of the picture.
+ *
+ * A strategy of several passes decides before each one, block by block, and only
+ * then are samples taken: no decision sees half a pass.
  */
 #include "film/film.h"
 
 #include "base/arena.h"
 #include "base/parallel.h"
-#include "antialias.h"
+#include "film/sums.h"
+#include "sampling.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -21,7 +25,8 @@ struct film *film_create_part(unsigned width, unsigned height, struct block part
 {
 	struct film *film = memory_alloc(1, sizeof *film);
 	const size_t count = (size_t)(part.right - part.left) * (part.bottom - part.top);
-	*film = (struct film){ width, height, part, memory_alloc(count, sizeof *film->pixels) };
+	*film = (struct film){ width, height, part, memory_alloc(count, sizeof *film->pixels),
+		NULL };
 	memset(film->pixels, 0, count * sizeof *film->pixels);
 	return film;
 }
@@ -35,25 +40,36 @@ void film_destroy(struct film *film)
 {
 	if (!film)
 		return;
+	film_sums_destroy(film->sums);
 	free(film->pixels);
 	free(film);
 }
 
+/* What one thread works with. */
+struct hand {
+	struct worker *worker;
+	struct sampler sampler;
+	uint64_t wanted; /* samples, by the blocks this thread has planned */
+};
+
 struct session {
 	struct film *film;
 	const struct exposure *exposure;
+	struct block region; /* that samples are taken in */
 	unsigned block_size;
 	unsigned first_column, first_row, columns, rows; /* of blocks */
-	struct worker **workers;			 /* one of each per thread */
-	struct sampler *samplers;
+	struct hand *hands;
+	unsigned threads;
+	unsigned pass, passes;
 	pthread_mutex_t lock; /* of `done` and the progress function */
 	unsigned done;
 	atomic_bool stop;
 };
 
-static colour sample_worker(void *worker, double x, double y, struct sample_place place)
+static void sample_worker(void *worker, size_t count, const struct position *at, colour *out)
 {
-	return trace_sample(worker, x, y, place);
+	for (size_t i = 0; i < count; i++)
+		out[i] = trace_sample(worker, at[i].x, at[i].y, at[i].place);
 }
 
 /* The last block of a row or column ends with the picture. */
@@ -73,6 +89,14 @@ static struct block block_at(const struct session *s, size_t index)
 	return b;
 }
 
+/* Asks the progress function whether to go on. With the lock. */
+static void ask(struct session *s)
+{
+	const struct exposure *e = s->exposure;
+	if (!e->progress(e->user, s->done, s->columns * s->rows * s->passes))
+		atomic_store(&s->stop, true);
+}
+
 static void report(struct session *s)
 {
 	const struct exposure *e = s->exposure;
@@ -80,8 +104,8 @@ static void report(struct session *s)
 		return;
 	pthread_mutex_lock(&s->lock);
 	s->done++;
-	if (!atomic_load(&s->stop) && !e->progress(e->user, s->done, s->columns * s->rows))
-		atomic_store(&s->stop, true);
+	if (!atomic_load(&s->stop))
+		ask(s);
 	pthread_mutex_unlock(&s->lock);
 }
 
@@ -92,11 +116,18 @@ static bool is_stopped(void *user)
 	const struct exposure *e = s->exposure;
 	if (!atomic_load_explicit(&s->stop, memory_order_relaxed) && e->progress) {
 		pthread_mutex_lock(&s->lock);
-		if (!e->progress(e->user, s->done, s->columns * s->rows))
-			atomic_store(&s->stop, true);
+		ask(s);
 		pthread_mutex_unlock(&s->lock);
 	}
 	return atomic_load_explicit(&s->stop, memory_order_relaxed);
+}
+
+static void plan_block(void *user, size_t index, unsigned thread)
+{
+	struct session *s = user;
+	struct hand *hand = &s->hands[thread];
+	hand->wanted +=
+		sampler_plan(&hand->sampler, s->film, s->pass, block_at(s, index), s->region);
 }
 
 static void expose_block(void *user, size_t index, unsigned thread)
@@ -104,8 +135,40 @@ static void expose_block(void *user, size_t index, unsigned thread)
 	struct session *s = user;
 	if (atomic_load_explicit(&s->stop, memory_order_relaxed))
 		return;
-	sampler_block(&s->samplers[thread], s->film, block_at(s, index), s->exposure->region);
+	sampler_take(&s->hands[thread].sampler, s->film, block_at(s, index), s->region);
 	report(s);
+}
+
+/* Whether some pixel wants samples in this pass. */
+static bool plan_pass(struct session *s)
+{
+	uint64_t wanted = 0;
+	for (unsigned i = 0; i < s->threads; i++)
+		s->hands[i].wanted = 0;
+	parallel_for((size_t)s->columns * s->rows, s->threads, plan_block, s);
+	for (unsigned i = 0; i < s->threads; i++)
+		wanted += s->hands[i].wanted;
+	return wanted > 0;
+}
+
+static void expose_passes(struct session *s)
+{
+	const bool plans = s->exposure->sampling->wanted != NULL;
+	for (s->pass = 0; s->pass < s->passes && !atomic_load(&s->stop); s->pass++) {
+		if (plans && !plan_pass(s))
+			return;
+		s->done = s->pass * s->columns * s->rows;
+		parallel_for((size_t)s->columns * s->rows, s->threads, expose_block, s);
+	}
+}
+
+/* Colours from sums. */
+static void resolve(struct film *film, struct block region)
+{
+	for (unsigned y = region.top; y < region.bottom; y++) {
+		for (unsigned x = region.left; x < region.right; x++)
+			*film_pixel(film, x, y) = pixel_sum_mean(film_sum(film->sums, x, y));
+	}
 }
 
 static void add_stats(struct trace_stats *to, const struct trace_stats *from)
@@ -124,19 +187,67 @@ static unsigned blocks_across(unsigned from, unsigned to, unsigned size)
 	return (to - 1) / size - from / size + 1;
 }
 
+static unsigned grown_end(unsigned end, unsigned by, unsigned limit)
+{
+	return limit - end > by ? end + by : limit;
+}
+
+/* Later passes look around, and so does what they look at. */
+static struct block sampled_region(const struct film *film, const struct exposure *e)
+{
+	const struct sampling_class *c = e->sampling;
+	const struct block r = e->region;
+	const unsigned by = c->wanted && c->passes > 1 ? (c->passes - 1) * c->reach : 0;
+	return (struct block){ r.left > by ? r.left - by : 0, r.top > by ? r.top - by : 0,
+		grown_end(r.right, by, film->width), grown_end(r.bottom, by, film->height) };
+}
+
 static struct session session_for(struct film *film, const struct exposure *e)
 {
-	const struct block r = e->region;
+	const struct block r = sampled_region(film, e);
 	const unsigned size = e->block_size ? e->block_size : 32;
 	return (struct session){
 		.film = film,
 		.exposure = e,
+		.region = r,
 		.block_size = size,
 		.first_column = r.left / size,
 		.first_row = r.top / size,
 		.columns = blocks_across(r.left, r.right, size),
 		.rows = blocks_across(r.top, r.bottom, size),
+		.passes = e->sampling->wanted ? e->sampling->passes : 1,
 	};
+}
+
+static void session_begin(struct session *s, const struct scene *scene)
+{
+	const struct exposure *e = s->exposure;
+	const size_t blocks = (size_t)s->columns * s->rows;
+	const unsigned wanted = e->threads ? e->threads : 1;
+	s->threads = wanted < blocks ? wanted : (unsigned)blocks;
+	s->hands = memory_zeroed(s->threads, sizeof *s->hands);
+	for (unsigned i = 0; i < s->threads; i++) {
+		struct hand *hand = &s->hands[i];
+		hand->worker = worker_create(scene, s->film->width, s->film->height);
+		sampler_init(&hand->sampler, e->sampling, &e->antialias, &scene->settings.working,
+			sample_worker, hand->worker);
+		hand->sampler.cancelled = is_stopped;
+		hand->sampler.cancelled_user = s;
+	}
+	pthread_mutex_init(&s->lock, NULL);
+	atomic_init(&s->stop, false);
+}
+
+static void session_end(struct session *s, struct trace_stats *stats)
+{
+	pthread_mutex_destroy(&s->lock);
+	for (unsigned i = 0; i < s->threads; i++) {
+		if (stats)
+			add_stats(stats, &s->hands[i].worker->stats);
+		worker_destroy(s->hands[i].worker);
+		sampler_finish(&s->hands[i].sampler);
+	}
+	free(s->hands);
 }
 
 bool film_expose(struct film *film, const struct scene *scene, const struct exposure *e,
@@ -145,31 +256,15 @@ bool film_expose(struct film *film, const struct scene *scene, const struct expo
 	if (e->region.left >= e->region.right || e->region.top >= e->region.bottom)
 		return true;
 	struct session s = session_for(film, e);
-	const size_t blocks = (size_t)s.columns * s.rows;
-	const unsigned wanted = e->threads ? e->threads : 1;
-	const unsigned threads = wanted < blocks ? wanted : (unsigned)blocks;
-	s.workers = memory_alloc(threads, sizeof *s.workers);
-	s.samplers = memory_alloc(threads, sizeof *s.samplers);
-	for (unsigned i = 0; i < threads; i++) {
-		s.workers[i] = worker_create(scene, film->width, film->height);
-		sampler_init(&s.samplers[i], &e->antialias, &scene->settings.working, sample_worker,
-			s.workers[i]);
-		s.samplers[i].cancelled = is_stopped;
-		s.samplers[i].cancelled_user = &s;
+	session_begin(&s, scene);
+	if (e->sampling->wanted) {
+		film_sums_destroy(film->sums);
+		film->sums = film_sums_create(s.region);
 	}
-	pthread_mutex_init(&s.lock, NULL);
-	atomic_init(&s.stop, false);
-
-	parallel_for(blocks, threads, expose_block, &s);
-
-	pthread_mutex_destroy(&s.lock);
-	for (unsigned i = 0; i < threads; i++) {
-		if (stats)
-			add_stats(stats, &s.workers[i]->stats);
-		worker_destroy(s.workers[i]);
-		sampler_finish(&s.samplers[i]);
-	}
-	free(s.workers);
-	free(s.samplers);
-	return !atomic_load(&s.stop);
+	expose_passes(&s);
+	if (e->sampling->wanted)
+		resolve(film, e->region);
+	const bool complete = !atomic_load(&s.stop);
+	session_end(&s, stats);
+	return complete;
 }

@@ -1,8 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The first calls of functions that remember them; see first_calls.h.
+ * Functions that remember their first call (f_ridged_mf does) make a picture depend
+ * on the order of its rays. So that it is the same for any number of threads, the
+ * first calls are made beforehand, in the order of a picture of that size made by
+ * one thread without antialiasing. Costs nothing when there is no such function, or
+ * all its calls agree.
+ *
+ * The whole picture is looked through, from its top left until the calls are found,
+ * even if only a region of it is wanted: the call that decides may be made outside
+ * the region, and a region must be the same bytes as its part of the picture.
  */
-#include "prepare/first_calls.h"
+#include "pass.h"
 
 #include "function/ridged.h"
 #include "scene/scene.h"
@@ -55,20 +63,39 @@ static void trace_block(
 	}
 }
 
-static void trace_until_settled(const struct scene *scene, unsigned width, unsigned height)
+/* Block by block; false: stopped. */
+static bool trace_until_settled(const struct pass *pass, const struct preparation *p)
 {
-	struct worker *w = worker_create(scene, width, height);
-	for (unsigned top = 0; top < height && is_waiting(scene); top += BLOCK) {
-		for (unsigned left = 0; left < width && is_waiting(scene); left += BLOCK)
-			trace_block(w, left, top, width, height);
+	const size_t columns = ((size_t)p->width + BLOCK - 1) / BLOCK;
+	const size_t blocks = columns * (((size_t)p->height + BLOCK - 1) / BLOCK);
+	struct worker *w = worker_create(p->scene, p->width, p->height);
+	bool goes_on = true;
+	for (size_t i = 0; i < blocks && goes_on && is_waiting(p->scene); i++) {
+		trace_block(w, (unsigned)(i % columns) * BLOCK, (unsigned)(i / columns) * BLOCK,
+			p->width, p->height);
+		goes_on = pass_tell(pass, p, (double)(i + 1) / (double)blocks);
 	}
 	worker_destroy(w);
+	return goes_on;
 }
 
-void first_calls_make(struct scene *scene, unsigned width, unsigned height)
+static bool first_calls_needed(const struct scene *scene)
 {
-	settle_uniform(scene);
-	if (is_waiting(scene))
-		trace_until_settled(scene, width, height);
-	close_unseen(scene);
+	return scene->ridged_tables.size > 0;
 }
+
+static bool first_calls_run(const struct pass *pass, const struct preparation *p)
+{
+	settle_uniform(p->scene);
+	if (is_waiting(p->scene) && !trace_until_settled(pass, p))
+		return false;
+	close_unseen(p->scene);
+	return true;
+}
+
+extern const struct pass pass_first_calls;
+const struct pass pass_first_calls = {
+	.name = "looking for first calls of functions",
+	.needed = first_calls_needed,
+	.run = first_calls_run,
+};

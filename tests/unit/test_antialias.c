@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "antialias.h"
+#include "sampling.h"
 #include "noise/tables.h"
 
 #include <math.h>
@@ -51,10 +51,9 @@ static void jitter_follows_its_formula(void **state)
 {
 	(void)state;
 	for (unsigned k = 0; k < 4096; k++) {
-		double j[2];
-		sample_jitter(0, (k + 0.5) / 1019, j);
+		const struct position j = sample_jitter((struct position){ .y = (k + 0.5) / 1019 });
 		const unsigned cell = hash_table[(hash_table[0] ^ k) & 4095] & 255;
-		assert_true(fabs(j[0] - crc_entry(cell)) < 1e-7);
+		assert_true(fabs(j.x - crc_entry(cell)) < 1e-7);
 	}
 }
 
@@ -68,10 +67,10 @@ static void jitter_reference_values(void **state)
 		{ 100.5, -0.5, 0.230469, 0.050781 },
 	};
 	for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-		double j[2];
-		sample_jitter(cases[i][0], cases[i][1], j);
-		assert_true(fabs(j[0] - cases[i][2]) < 1e-6);
-		assert_true(fabs(j[1] - cases[i][3]) < 1e-6);
+		const struct position j =
+			sample_jitter((struct position){ .x = cases[i][0], .y = cases[i][1] });
+		assert_true(fabs(j.x - cases[i][2]) < 1e-6);
+		assert_true(fabs(j.y - cases[i][3]) < 1e-6);
 	}
 }
 
@@ -85,28 +84,27 @@ struct edge {
 	unsigned samples;
 };
 
-static colour edge_sample(void *user, double x, double y, struct sample_place place)
+static void edge_samples(void *user, size_t count, const struct position *at, colour *out)
 {
-	(void)place;
 	struct edge *e = user;
-	(void)y;
-	e->samples++;
-	return x > 3.3 ? e->right : e->left;
+	e->samples += (unsigned)count;
+	for (size_t i = 0; i < count; i++)
+		out[i] = at[i].x > 3.3 ? e->right : e->left;
 }
 
 static const struct working_space linear = { TRANSFER_LINEAR, 1 };
 static const struct edge black_white = { { 0, 0, 0, 0, 0 }, { 1, 1, 1, 0, 0 }, 0 };
 
 /* Samples drawn for blocks `size` wide over the whole picture; the second row goes to `row`. */
-static unsigned expose(const struct antialias *aa, const struct working_space *working,
+static unsigned expose(int method, const struct antialias *aa, const struct working_space *working,
 	struct edge edge, unsigned size, colour row[WIDTH])
 {
 	colour pixels[WIDTH * HEIGHT];
-	struct film film = { WIDTH, HEIGHT, { 0, 0, WIDTH, HEIGHT }, pixels };
+	struct film film = { WIDTH, HEIGHT, { 0, 0, WIDTH, HEIGHT }, pixels, NULL };
 	struct sampler s;
-	sampler_init(&s, aa, working, edge_sample, &edge);
+	sampler_init(&s, sampling_of_method(method), aa, working, edge_samples, &edge);
 	for (unsigned left = 0; left < WIDTH; left += size)
-		sampler_block(&s, &film, (struct block){ left, 0, left + size, HEIGHT }, film.part);
+		sampler_take(&s, &film, (struct block){ left, 0, left + size, HEIGHT }, film.part);
 	sampler_finish(&s);
 	memcpy(row, pixels + WIDTH, WIDTH * sizeof *row);
 	return edge.samples;
@@ -123,9 +121,9 @@ static void assert_greys(const colour row[WIDTH], const float expected[WIDTH])
 static void one_sample_per_pixel(void **state)
 {
 	(void)state;
-	const struct antialias aa = { .method = 0 };
+	const struct antialias aa = { .threshold = 0.3 };
 	colour row[WIDTH];
-	assert_int_equal(expose(&aa, &linear, black_white, WIDTH, row), WIDTH * HEIGHT);
+	assert_int_equal(expose(0, &aa, &linear, black_white, WIDTH, row), WIDTH * HEIGHT);
 	assert_greys(row, (const float[WIDTH]){ 0, 0, 0, 0, 1, 1, 1, 1 });
 }
 
@@ -133,9 +131,9 @@ static void one_sample_per_pixel(void **state)
 static void method_1_refines_both_sides(void **state)
 {
 	(void)state;
-	const struct antialias aa = { .method = 1, .threshold = 0.3, .depth = 3, .gamma = 2.5 };
+	const struct antialias aa = { .threshold = 0.3, .depth = 3, .gamma = 2.5 };
 	colour row[WIDTH];
-	const unsigned drawn = expose(&aa, &linear, black_white, WIDTH, row);
+	const unsigned drawn = expose(1, &aa, &linear, black_white, WIDTH, row);
 	assert_greys(row, (const float[WIDTH]){ 0, 0, 0, 3 / 10.0f, 1, 1, 1, 1 });
 	/* centres, border row and column, refined pixels */
 	assert_int_equal(drawn, WIDTH * HEIGHT + WIDTH + HEIGHT + 2 * HEIGHT * 9);
@@ -145,9 +143,9 @@ static void method_1_refines_both_sides(void **state)
 static void method_1_sees_block_borders(void **state)
 {
 	(void)state;
-	const struct antialias aa = { .method = 1, .threshold = 0.3, .depth = 3, .gamma = 2.5 };
+	const struct antialias aa = { .threshold = 0.3, .depth = 3, .gamma = 2.5 };
 	colour row[WIDTH];
-	expose(&aa, &linear, black_white, 4, row);
+	expose(1, &aa, &linear, black_white, 4, row);
 	assert_greys(row, (const float[WIDTH]){ 0, 0, 0, 0, 1, 1, 1, 1 });
 }
 
@@ -155,26 +153,24 @@ static void method_1_sees_block_borders(void **state)
 static void method_2_divides_pixels(void **state)
 {
 	(void)state;
-	struct antialias aa = { .method = 2, .threshold = 0.3, .depth = 3, .gamma = 2.5 };
+	struct antialias aa = { .threshold = 0.3, .depth = 3, .gamma = 2.5 };
 	colour row[WIDTH];
-	const unsigned drawn = expose(&aa, &linear, black_white, WIDTH, row);
+	const unsigned drawn = expose(2, &aa, &linear, black_white, WIDTH, row);
 	assert_greys(row, (const float[WIDTH]){ 0, 0, 0, 0.125f, 1, 1, 1, 1 });
 	/* corners; 5 samples for the pixel, 5 and 4 for its right half, which share one */
 	assert_int_equal(drawn, (WIDTH + 1) * (HEIGHT + 1) + HEIGHT * (5 + 5 + 4));
-	expose(&aa, &linear, black_white, 4, row);
+	expose(2, &aa, &linear, black_white, 4, row);
 	assert_greys(row, (const float[WIDTH]){ 0, 0, 0, 0.125f, 1, 1, 1, 1 });
 	aa.depth = 1;
-	expose(&aa, &linear, black_white, WIDTH, row);
+	expose(2, &aa, &linear, black_white, WIDTH, row);
 	assert_greys(row, (const float[WIDTH]){ 0, 0, 0, 0.5f, 1, 1, 1, 1 });
 }
 
 static bool refines(struct edge e, double threshold, double gamma, struct working_space working)
 {
-	const struct antialias aa = {
-		.method = 1, .threshold = threshold, .depth = 3, .gamma = gamma
-	};
+	const struct antialias aa = { .threshold = threshold, .depth = 3, .gamma = gamma };
 	colour row[WIDTH];
-	return expose(&aa, &working, e, WIDTH, row) > WIDTH * HEIGHT + WIDTH + HEIGHT;
+	return expose(1, &aa, &working, e, WIDTH, row) > WIDTH * HEIGHT + WIDTH + HEIGHT;
 }
 
 /* 0.3 of linear light is 0.6178 to the eye at gamma 2.5; transmit counts as it is. */
@@ -202,49 +198,46 @@ static void colours_are_compared_as_seen(void **state)
 static void bright_samples_dominate(void **state)
 {
 	(void)state;
-	const struct antialias aa = { .method = 1, .threshold = 0.3, .depth = 3, .gamma = 2.5 };
+	const struct antialias aa = { .threshold = 0.3, .depth = 3, .gamma = 2.5 };
 	const struct edge e = { { 0, 0, 0, 0, 0 }, { 100, 100, 100, 0, 0 }, 0 };
 	colour row[WIDTH];
-	expose(&aa, &linear, e, WIDTH, row);
+	expose(1, &aa, &linear, e, WIDTH, row);
 	assert_greys(row, (const float[WIDTH]){ 0, 0, 0, 30, 100, 100, 100, 100 });
 }
 
 /* ---- where jittered samples go ---- */
 
 struct places {
-	double at[64][2];
+	struct position at[64];
 	size_t count;
 };
 
-static colour record(void *user, double x, double y, struct sample_place place)
+static void record(void *user, size_t count, const struct position *at, colour *out)
 {
-	(void)place;
 	struct places *p = user;
-	p->at[p->count][0] = x;
-	p->at[p->count++][1] = y;
-	return (colour){ 0 };
+	for (size_t i = 0; i < count; i++) {
+		p->at[p->count++] = at[i];
+		out[i] = (colour){ 0 };
+	}
 }
 
 static void samples_are_displaced(void **state)
 {
 	(void)state;
-	const struct antialias aa = {
-		.method = 1, .threshold = 0, .depth = 2, .jitter = 0.5, .gamma = 2.5
-	};
+	const struct antialias aa = { .threshold = 0, .depth = 2, .jitter = 0.5, .gamma = 2.5 };
 	struct places p = { .count = 0 };
 	colour pixels[12];
-	struct film film = { 4, 3, { 0, 0, 4, 3 }, pixels };
+	struct film film = { 4, 3, { 0, 0, 4, 3 }, pixels, NULL };
 	struct sampler s;
-	sampler_init(&s, &aa, &linear, record, &p);
-	sampler_block(&s, &film, (struct block){ 3, 2, 4, 3 }, film.part);
+	sampler_init(&s, sampling_of_method(1), &aa, &linear, record, &p);
+	sampler_take(&s, &film, (struct block){ 3, 2, 4, 3 }, film.part);
 	sampler_finish(&s);
 	assert_int_equal(p.count, 2 + 1 + 4); /* border, centre, four more */
 	for (int i = 0; i < 4; i++) {
 		const double x = 3 + (i % 2 ? 0.25 : -0.25), y = 2 + (i / 2 ? 0.25 : -0.25);
-		double j[2];
-		sample_jitter(x, y, j);
-		assert_true(fabs(p.at[3 + i][0] - (x + j[0] * 0.25)) < 1e-12);
-		assert_true(fabs(p.at[3 + i][1] - (y + j[1] * 0.25)) < 1e-12);
+		const struct position j = sample_jitter((struct position){ .x = x, .y = y });
+		assert_true(fabs(p.at[3 + i].x - (x + j.x * 0.25)) < 1e-12);
+		assert_true(fabs(p.at[3 + i].y - (y + j.y * 0.25)) < 1e-12);
 	}
 }
 

@@ -63,10 +63,10 @@ struct parse_options {
 	FILE *debug_stream;	       /* where #debug, #warning … text goes, NULL: nowhere */
 	void (*text)(void *user, enum keyword stream, const char *line); /* K_DEBUG, K_RENDER, … */
 	void *text_user;
-	/* When somebody has set `asked`, the next directive clears it and tells where it stands. NULL:
-	 * nobody asks. */
+	/* When somebody has set `asked`, the next directive clears it and tells where it stands; false:
+	 * the reading ends there. NULL: nobody asks. */
 	atomic_bool *asked;
-	void (*reached)(void *user, span where);
+	bool (*reached)(void *user, span where);
 	void *reached_user;
 	struct render_hooks hooks;
 	/* For large scenes: whenever the statements of the top level have come to some size they are

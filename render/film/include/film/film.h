@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The film: the float pixels of a picture or of a part of it, and the loop that
- * exposes it: 32 x 32 blocks over threads, each pixel with as many samples as
- * antialiasing asks for. One block has one owner; nothing depends on the order of
- * completion.
+ * exposes it: 32 x 32 blocks over threads, each pixel with as many samples as a
+ * strategy of sampling asks for. One block has one owner; nothing depends on the
+ * order of completion.
  */
 #ifndef LAMBERT_FILM_FILM_H
 #define LAMBERT_FILM_FILM_H
@@ -18,10 +18,17 @@ struct block {
 	unsigned left, top, right, bottom;
 };
 
+static inline struct block block_common(struct block a, struct block b)
+{
+	return (struct block){ a.left > b.left ? a.left : b.left, a.top > b.top ? a.top : b.top,
+		a.right < b.right ? a.right : b.right, a.bottom < b.bottom ? a.bottom : b.bottom };
+}
+
 struct film {
 	unsigned width, height; /* of the picture */
 	struct block part;	/* of it that is kept; the rest is black */
 	colour *pixels; /* of the part, row-major from its top left; working space, premultiplied, transmit = 1 - alpha */
+	struct film_sums *sums; /* NULL: the strategy needs none; see sums.h */
 };
 
 /* Where the film keeps the pixel (x, y) of the picture, which lies in its part. */
@@ -31,8 +38,12 @@ static inline colour *film_pixel(const struct film *film, unsigned x, unsigned y
 	return &film->pixels[(size_t)(y - p->top) * (p->right - p->left) + (x - p->left)];
 }
 
+/* A strategy of sampling; see sampling.h. */
+struct sampling_class;
+/* 0 no antialiasing, 1 non-recursive, 2 recursive. */
+const struct sampling_class *sampling_of_method(int method);
+
 struct antialias {
-	int method;	  /* 0 none, 1 non-recursive, 2 recursive */
 	double threshold; /* 0 to 1 */
 	int depth;	  /* 1 to 9 */
 	double jitter;	  /* 0 to 1; 0: none */
@@ -40,12 +51,13 @@ struct antialias {
 };
 
 struct exposure {
+	const struct sampling_class *sampling;
 	struct antialias antialias;
 	struct block region; /* within the film's part */
 	unsigned block_size; /* 32 */
 	unsigned threads;    /* at least 1 */
 	/* Called after each block, and between the rows of slow ones, from one thread at a time;
-	 * false: stop. May be NULL. */
+	 * false: stop. Blocks count once for each pass that the strategy may make. May be NULL. */
 	bool (*progress)(void *user, unsigned blocks_done, unsigned blocks);
 	void *user;
 };

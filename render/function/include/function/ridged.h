@@ -7,7 +7,7 @@
  *
  * Which call is the first: one made while the text is read; else the only one
  * there can be, if all calls have the same constants; else it is found by
- * tracing (see render/first_calls.h). All this is over before threads share the
+ * tracing (see render/prepare/first_calls.c). All this is over before threads share the
  * table.
  */
 #ifndef LAMBERT_FUNCTION_RIDGED_H

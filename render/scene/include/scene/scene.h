@@ -100,7 +100,7 @@ struct scene {
 	colour background;
 	bool has_background;
 	struct pointer_map
-		ridged_tables; /* struct ridged_table by struct function; see first_calls.h */
+		ridged_tables; /* struct ridged_table by struct function; see function/ridged.h */
 
 	/* made by scene_commit */
 	struct accel *accel;
