@@ -93,7 +93,7 @@ static struct heritage inherit(const struct heritage *parent, const struct draft
 		h.interior_texture = d->interior_texture;
 	if (d->interior)
 		h.interior = d->interior;
-	h.in_compound |= d->kind == DRAFT_CSG || d->kind == DRAFT_TEXT;
+	h.in_compound |= d->kind == DRAFT_CSG || d->kind == DRAFT_MADE;
 	h.in_solid |= d->kind == DRAFT_CSG && (d->csg != CSG_UNION || d->clips);
 	h.no_shadow |= d->no_shadow;
 	h.no_image |= d->no_image;
@@ -495,13 +495,13 @@ static void collect_compound(
 	free(members.items);
 }
 
-/* The letters; turned inside out, what is outside all of them. */
-static void collect_text(
+/* The objects of a road; turned inside out, what is outside all of them. */
+static void collect_made(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
 	struct object_list letters = { NULL, 0, 0 };
 	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
-	lower_text(l, d->node, &d->place, add_glyph, NULL, &glyphs);
+	d->road(l, d->node, &d->place, add_glyph, NULL, &glyphs);
 	if (d->inverted) {
 		struct object *o = wrap(l, CSG_INTERSECTION, &letters, 0, h);
 		object_set_bounds(o);
@@ -583,8 +583,8 @@ static void collect(
 		else
 			collect_compound(l, d, &h, out);
 		break;
-	case DRAFT_TEXT:
-		collect_text(l, d, &h, out);
+	case DRAFT_MADE:
+		collect_made(l, d, &h, out);
 		break;
 	case DRAFT_SHAPE: {
 		struct object *o = finish_shape(l, d, &h);

@@ -10,10 +10,11 @@
 
 #include "lower/lower.h"
 #include "geometry/shape.h"
+#include "lower/road.h"
 
 enum draft_kind {
 	DRAFT_SHAPE, /* shape, self, place */
-	DRAFT_TEXT,  /* node, place: becomes a union of glyphs */
+	DRAFT_MADE,  /* node, road, place: becomes the objects its road makes */
 	DRAFT_CSG,   /* csg, children */
 	DRAFT_LIGHT, /* light */
 	DRAFT_GROUP, /* a light_group: csg, children */
@@ -44,6 +45,7 @@ struct draft {
 	struct draft *next, *children;
 
 	const struct shape_class *shape;
+	shape_road *road;
 	void *self;
 	transform place;
 	bool is_placed;
