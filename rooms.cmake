@@ -13,13 +13,20 @@ function(room name)
 	target_compile_options(${name} PRIVATE "$<$<COMPILE_LANGUAGE:C>:${LAMBERT_WARNINGS}>")
 endfunction()
 
-# The files that shapes.def names for a room, in `result`.
-function(shape_files result room)
-	set(list ${PROJECT_SOURCE_DIR}/language/include/language/shapes.def)
+# The files that the rows of a list name, in `result`: where the row begins with `head`, then comes the
+# file's name. They stand in `folder`.
+function(word_files result list head folder)
 	set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
-	set(row "^(SHAPE|BLOCK)\\([A-Z0-9_]+, [a-z0-9_]+, ${room}, ([a-z0-9_]+),.*")
-	file(STRINGS ${list} files REGEX "${row}")
-	list(TRANSFORM files REPLACE "${row}" "shape/\\2.c")
+	file(STRINGS ${list} files REGEX "^${head}, [a-z0-9_]+")
+	list(TRANSFORM files REPLACE "^${head}, ([a-z0-9_]+).*" "${folder}/\\1.c")
 	list(REMOVE_DUPLICATES files)
+	list(REMOVE_ITEM files ${folder}/none.c)
+	set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
+# The files of the objects that shapes.def says are made in a room.
+function(shape_files result room)
+	word_files(files ${PROJECT_SOURCE_DIR}/language/include/language/shapes.def
+		"[A-Z]+\\([A-Z0-9_]+, [a-z0-9_]+, ${room}" shape)
 	set(${result} ${files} PARENT_SCOPE)
 endfunction()
