@@ -67,6 +67,9 @@ static const struct sample samples[] = {
 		false, false },
 	{ "quadric", { 2, 5, 0, 0, 0, 0, 0.2, -0.1, 0, -0.3 }, true, true },
 	{ "quadric", { 2, 0, 3, 0, 0, 0, 0, 0.7, 0.1, -0.2 }, true, true },
+	{ "ovus", { 0.5, 0.2 }, true, true },
+	{ "ovus", { 0.4, 0.5 }, true, true },
+	{ "ovus", { 0.4, 0.75 }, true, true },
 };
 #define SAMPLE_COUNT (sizeof samples / sizeof samples[0])
 
