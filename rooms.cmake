@@ -12,3 +12,21 @@ function(room name)
 	target_link_libraries(${name} PUBLIC ${ROOM_USES})
 	target_compile_options(${name} PRIVATE "$<$<COMPILE_LANGUAGE:C>:${LAMBERT_WARNINGS}>")
 endfunction()
+
+# The files that the rows of a list name, in `result`: where the row begins with `head`, then comes the
+# file's name. They stand in `folder`.
+function(word_files result list head folder)
+	set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+	file(STRINGS ${list} files REGEX "^${head}, [a-z0-9_]+")
+	list(TRANSFORM files REPLACE "^${head}, ([a-z0-9_]+).*" "${folder}/\\1.c")
+	list(REMOVE_DUPLICATES files)
+	list(REMOVE_ITEM files ${folder}/none.c)
+	set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
+# The files of the objects that shapes.def says are made in a room.
+function(shape_files result room)
+	word_files(files ${PROJECT_SOURCE_DIR}/language/include/language/shapes.def
+		"[A-Z]+\\([A-Z0-9_]+, [a-z0-9_]+, ${room}" shape)
+	set(${result} ${files} PARENT_SCOPE)
+endfunction()

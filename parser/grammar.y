@@ -732,11 +732,7 @@ some_members:
 coefficient_word: KW_CUBIC | KW_QUARTIC ;
 
 /* Primitives whose inside is a list of numbers and a few words. */
-shape_word:
-	  KW_SPHERE | KW_BOX | KW_CYLINDER | KW_CONE | KW_TORUS | KW_PLANE | KW_DISC | KW_TRIANGLE
-	| KW_SMOOTH_TRIANGLE | KW_POLYGON | KW_QUADRIC | KW_SUPERELLIPSOID | KW_OVUS | KW_LATHE | KW_PRISM
-	| KW_SOR | KW_SPHERE_SWEEP | KW_TEXT | KW_BICUBIC_PATCH
-	;
+shape_word: @SHAPES@ ; /* by the build, from shapes.def */
 /* No more numbers behind the first modifier. */
 shape_body:
 	  shape_args

@@ -74,7 +74,7 @@ void names_init(struct names *n, struct arena *arena)
 	memset(n->buckets, 0, n->bucket_count * sizeof *n->buckets);
 #define KEYWORD(word, WORD) reserve(n, #word, K_##WORD);
 #define SYNONYM(word, WORD) reserve(n, #word, K_##WORD);
-#include "parser/keywords.def"
+#include "language/keywords.def"
 #undef KEYWORD
 #undef SYNONYM
 }

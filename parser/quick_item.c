@@ -20,6 +20,7 @@
  * The rules mirror those of grammar.y with the same names.
  */
 #include "build.h"
+#include "language/shape_word.h"
 
 #include "grammar.tab.h"
 
@@ -281,20 +282,8 @@ static struct node *read_modifier(struct quick *q)
 
 static bool is_shape(enum keyword word)
 {
-	switch (word) {
-	case K_BOX:
-	case K_CONE:
-	case K_CYLINDER:
-	case K_DISC:
-	case K_PLANE:
-	case K_SMOOTH_TRIANGLE:
-	case K_SPHERE:
-	case K_TORUS:
-	case K_TRIANGLE:
-		return true;
-	default:
-		return false;
-	}
+	const struct shape_word *shape = shape_word_of(word);
+	return shape && shape->is_plain;
 }
 
 /* Commas may be left out between arguments. */

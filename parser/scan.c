@@ -17,7 +17,7 @@
 const int keyword_token[KEYWORD_COUNT] = {
 #define KEYWORD(word, WORD) [K_##WORD] = KW_##WORD,
 #define SYNONYM(word, WORD)
-#include "parser/keywords.def"
+#include "language/keywords.def"
 #undef KEYWORD
 #undef SYNONYM
 };

@@ -101,16 +101,16 @@ static box common_of_children(struct lowering *l, const struct draft *d)
 	return b;
 }
 
-static void add_letter(void *user, struct object *letter)
+static void add_part(void *user, struct object *part)
 {
 	box *hull = user;
-	*hull = box_union(*hull, box_of_shape(letter->shape, letter->self, letter->place));
+	*hull = box_union(*hull, box_of_shape(part->shape, part->self, part->place));
 }
 
-static box hull_of_letters(struct lowering *l, const struct draft *d)
+static box hull_of_parts(struct lowering *l, const struct draft *d)
 {
 	box hull = box_nothing();
-	lower_text(l, d->node, NULL, add_letter, add_letter, &hull);
+	d->extras->road(l, d->node, NULL, add_part, add_part, &hull);
 	return hull;
 }
 
@@ -121,8 +121,8 @@ static box first_box(struct lowering *l, const struct draft *d)
 	switch (d->kind) {
 	case DRAFT_SHAPE:
 		return box_of_shape(d->shape, d->self, NULL);
-	case DRAFT_TEXT:
-		return hull_of_letters(l, d);
+	case DRAFT_MADE:
+		return hull_of_parts(l, d);
 	case DRAFT_LIGHT:
 		return box_everything();
 	default:

@@ -100,7 +100,7 @@ static struct heritage inherit(const struct heritage *parent, const struct draft
 		h.interior_texture = d->extras->interior_texture;
 	if (d->extras->interior)
 		h.interior = d->extras->interior;
-	h.in_compound |= d->kind == DRAFT_CSG || d->kind == DRAFT_TEXT;
+	h.in_compound |= d->kind == DRAFT_CSG || d->kind == DRAFT_MADE;
 	h.in_solid |= d->kind == DRAFT_CSG && (d->csg != CSG_UNION || d->extras->clips);
 	h.no_shadow |= d->no_shadow;
 	h.no_image |= d->no_image;
@@ -516,15 +516,15 @@ static void collect_compound(
 	free(members.items);
 }
 
-/* The letters; turned inside out, what is outside all of them. */
-static void collect_text(
+/* The objects of a road; turned inside out, what is outside all of them. */
+static void collect_made(
 	struct lowering *l, struct draft *d, const struct heritage *h, struct object_list *out)
 {
 	const struct interior *interior = shared_interior(l, d, h);
 	struct object_list letters = { NULL, 0, 0 };
 	struct glyphs glyphs = { l, d, h, d->inverted ? &letters : out };
 	const transform place = draft_place(d);
-	lower_text(l, d->node, &place, add_glyph, NULL, &glyphs);
+	d->extras->road(l, d->node, &place, add_glyph, NULL, &glyphs);
 	if (d->inverted) {
 		struct object *o = wrap(l, CSG_INTERSECTION, &letters, 0, h);
 		o->interior = interior;
@@ -610,8 +610,8 @@ static void collect(
 		else
 			collect_compound(l, d, &h, out);
 		break;
-	case DRAFT_TEXT:
-		collect_text(l, d, &h, out);
+	case DRAFT_MADE:
+		collect_made(l, d, &h, out);
 		break;
 	case DRAFT_SHAPE: {
 		struct object *o = finish_shape(l, d, &h);

@@ -39,6 +39,7 @@ struct warp_step {
 struct pattern_state {
 	const struct pattern_class *class; /* NULL: none, or `average` */
 	const void *self;		   /* its parameters as written */
+	span word;			   /* where it is named */
 	const struct warp_step *steps;
 	struct turbulence turbulence;
 	bool has_turbulence;

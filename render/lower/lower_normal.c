@@ -63,7 +63,7 @@ static void name_reference(struct lowering *l, struct normal_state *s, const str
 static void set_map(struct lowering *l, struct normal_state *s, const struct node *item)
 {
 	const struct pattern_class *class = s->form == FORM_PATTERN ? s->pattern.class : NULL;
-	if (class && (class->list_count > 0 || class == &pattern_facets))
+	if (class && (class->list_count > 0 || class->only_normals))
 		diag_error(l->diag, item->word, "%s does not go with %s",
 			keyword_name(item->keyword), class->name);
 	else if (item->keyword == K_NORMAL_MAP)

@@ -199,59 +199,72 @@ static void build_warning(void *user, const char *message)
 	diag_warning(r->lowering->diag, r->node->span, "%s", message);
 }
 
-/* Fills the instance from the arguments, in order, and the flag words among the items. */
-static void fill_params(
-	struct lowering *l, const struct node *n, const struct param *params, void *self)
+static bool read_flag(struct lowering *l, const struct node *n, enum keyword word)
 {
-	uint32_t index = 0;
-	for (const struct param *p = params; p->type != PARAM_TYPE_END; p++) {
-		void *field = (char *)self + p->offset;
-		switch (p->type) {
-		case PARAM_TYPE_FLOAT:
-			*(double *)field = lower_float(l, n, index++, p->name);
-			break;
-		case PARAM_TYPE_VECTOR:
-			*(vec3 *)field = lower_vector(l, n, index++, p->name);
-			break;
-		case PARAM_TYPE_OPTIONAL:
-			if (index < n->arg_count)
-				*(double *)field = lower_float(l, n, index++, p->name);
-			break;
-		case PARAM_TYPE_ARRAY:
-			if (index < n->arg_count && n->args[index].kind == ARG_ARRAY) {
-				*(struct param_array *)field =
-					(struct param_array){ n->args[index].array.values,
-						n->args[index].array.count };
-				index++;
-			}
-			break;
-		case PARAM_TYPE_FLAG:
-			for (const struct node *item = n->children; item; item = item->next) {
-				if (strcmp(keyword_name(item->keyword), p->name) == 0)
-					*(bool *)field = lower_switch(l, item, true);
-			}
-			break;
-		case PARAM_TYPE_END:
-			break;
-		}
+	bool value = false;
+	for (const struct node *item = n->children; item; item = item->next)
+		if (item->keyword == word)
+			value = lower_switch(l, item, true);
+	return value;
+}
+
+/* Writes argument `index` or the flag to its field. Returns the index of the next argument. */
+static uint32_t fill_field(struct lowering *l, const struct node *n, uint32_t index,
+	const struct parameter *p, void *field)
+{
+	switch (p->type) {
+	case PARAMETER_FLOAT:
+		*(double *)field = lower_float(l, n, index, p->name);
+		return index + 1;
+	case PARAMETER_VECTOR:
+	case PARAMETER_PAIR:
+		*(vec3 *)field = lower_vector(l, n, index, p->name);
+		return index + 1;
+	case PARAMETER_OPTIONAL:
+		if (index >= n->arg_count)
+			return index;
+		*(double *)field = lower_float(l, n, index, p->name);
+		return index + 1;
+	case PARAMETER_ARRAY:
+		if (index >= n->arg_count || n->args[index].kind != ARG_ARRAY)
+			return index;
+		*(struct field_array *)field = (struct field_array){ n->args[index].array.values,
+			n->args[index].array.count };
+		return index + 1;
+	case PARAMETER_FLAG:
+		*(bool *)field = read_flag(l, n, p->word);
+		return index;
+	default:
+		return index;
 	}
+}
+
+static void fill_fields(
+	struct lowering *l, const struct node *n, const struct shape_class *shape, void *self)
+{
+	const struct field *field = shape->fields;
+	uint32_t index = 0;
+	const struct parameter *p = shape_word_of(n->keyword)->parameters;
+	for (; p->type != PARAMETER_END; p++)
+		if (p->type != PARAMETER_ITEM)
+			index = fill_field(l, n, index, p, (char *)self + field++->offset);
 	if (index < n->arg_count)
 		diag_error(l->diag, n->args[index].span, "%s has one value too many",
 			keyword_name(n->keyword));
 }
 
-static bool is_flag_of(const struct shape_class *shape, const struct node *item)
+static bool is_flag_of(enum keyword shape, enum keyword item)
 {
-	for (const struct param *p = shape->params; p && p->type != PARAM_TYPE_END; p++) {
-		if (p->type == PARAM_TYPE_FLAG && strcmp(keyword_name(item->keyword), p->name) == 0)
+	const struct parameter *p = shape_word_of(shape)->parameters;
+	for (; p->type != PARAMETER_END; p++)
+		if (p->type == PARAMETER_FLAG && p->word == item)
 			return true;
-	}
 	return false;
 }
 
 bool draft_takes_flag(const struct draft *d, const struct node *item)
 {
-	return d->kind == DRAFT_SHAPE && is_flag_of(d->shape, item);
+	return d->kind == DRAFT_SHAPE && is_flag_of(d->node->keyword, item->keyword);
 }
 
 static struct draft *draft_primitive(
@@ -260,7 +273,7 @@ static struct draft *draft_primitive(
 	struct draft *d = draft_create(l, DRAFT_SHAPE, n);
 	const unsigned before = diag_errors(l->diag);
 	set_shape(l, d, shape);
-	fill_params(l, n, shape->params, d->self);
+	fill_fields(l, n, shape, d->self);
 	struct build_report report = { l, n };
 	struct shape_build build = {
 		.arena = l->arena, .user = &report, .error = build_error, .warning = build_warning
@@ -276,7 +289,7 @@ static struct draft *draft_primitive(
 	}
 	extent_begin(l, d);
 	for (const struct node *item = n->children; item; item = item->next) {
-		if (!is_flag_of(shape, item))
+		if (!is_flag_of(n->keyword, item->keyword))
 			draft_modify(l, d, item);
 	}
 	return d;
@@ -299,7 +312,7 @@ static void warn_of_few_members(struct lowering *l, const struct node *n)
 static bool keeps_node(struct draft *d)
 {
 	const struct draft_extras *e = d->extras;
-	if (d->kind == DRAFT_TEXT || d->texture || e->interior_texture || e->looks_like ||
+	if (d->kind == DRAFT_MADE || d->texture || e->interior_texture || e->looks_like ||
 		e->projected_through || e->clips || e->bounds)
 		return true;
 	bool keeps = false;
@@ -423,9 +436,10 @@ static struct draft *draft_group(struct lowering *l, const struct node *n)
 	return d;
 }
 
-static struct draft *draft_text(struct lowering *l, const struct node *n)
+static struct draft *draft_made(struct lowering *l, const struct node *n, shape_road *road)
 {
-	struct draft *d = draft_create(l, DRAFT_TEXT, n);
+	struct draft *d = draft_create(l, DRAFT_MADE, n);
+	draft_extras(l, d)->road = road;
 	extent_begin(l, d);
 	read_modifiers(l, n, d);
 	return d;
@@ -476,10 +490,11 @@ static struct draft *draft_statement(struct lowering *l, const struct node *n)
 		return draft_light(l, n);
 	if (n->keyword == K_LIGHT_GROUP)
 		return draft_group(l, n);
-	if (n->keyword == K_TEXT)
-		return draft_text(l, n);
+	shape_road *road = shape_road_find(n->keyword);
+	if (road)
+		return draft_made(l, n, road);
 	const struct shape_class *shape = shape_of(l, n->keyword);
-	if (shape && shape->params)
+	if (shape)
 		return draft_primitive(l, n, shape);
 	lower_unsupported(l, n, keyword_name(n->keyword));
 	return NULL;

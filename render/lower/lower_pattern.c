@@ -56,7 +56,7 @@ static void set_param(struct lowering *l, void *self, const struct pattern_param
 }
 
 /* The values behind the pattern's word. */
-static void read_arguments(struct lowering *l, struct pattern_state *s, const struct node *item)
+static void name_plain(struct lowering *l, struct pattern_state *s, const struct node *item)
 {
 	const struct pattern_param *param = s->class->params;
 	void *self = NULL;
@@ -84,11 +84,6 @@ static bool modify_param(struct lowering *l, struct pattern_state *s, const stru
 }
 
 /* ---- patterns with a form of their own ---- */
-
-static bool is_fractal(const struct pattern_class *class)
-{
-	return class == &pattern_mandel || class == &pattern_julia || class == &pattern_magnet;
-}
 
 static int iterations(struct lowering *l, const struct node *item, uint32_t index)
 {
@@ -220,6 +215,28 @@ static void name_function(struct lowering *l, struct pattern_state *s, const str
 
 /* ---- naming ---- */
 
+typedef void pattern_reader(struct lowering *, struct pattern_state *, const struct node *);
+
+/* The form of each pattern's statement, from its row. */
+static const struct pattern_form {
+	const struct pattern_class *class;
+	pattern_reader *read;
+} pattern_forms[] = {
+#define REFUSED(WORD)
+#define PATTERN(word, file, form) { &pattern_##word, name_##form },
+#include "texture/patterns.def"
+#undef PATTERN
+#undef REFUSED
+};
+
+static pattern_reader *form_of(const struct pattern_class *class)
+{
+	const struct pattern_form *form = pattern_forms;
+	while (form->class != class)
+		form++;
+	return form->read;
+}
+
 static bool name_pattern(struct lowering *l, struct pattern_state *s, const struct node *item)
 {
 	const struct pattern_class *class = pattern_find(keyword_name(item->keyword));
@@ -233,22 +250,12 @@ static bool name_pattern(struct lowering *l, struct pattern_state *s, const stru
 					  : nothing;
 	}
 	s->class = class;
+	s->word = item->word;
 	if (class->sets_triangle_wave)
 		s->wave = WAVE_TRIANGLE;
 	if (class->sets_frequency_0)
 		s->frequency = 0;
-	if (is_fractal(class))
-		name_fractal(l, s, item);
-	else if (class == &pattern_slope)
-		name_slope(l, s, item);
-	else if (class == &pattern_pigment_pattern)
-		name_pigment_pattern(l, s, item);
-	else if (class == &pattern_function)
-		name_function(l, s, item);
-	else if (class == &pattern_object)
-		name_object(l, s, item);
-	else
-		read_arguments(l, s, item);
+	form_of(class)(l, s, item);
 	return true;
 }
 
@@ -347,23 +354,31 @@ static bool modify(struct lowering *l, struct pattern_state *s, const struct nod
 	default:
 		if (set_wave(l, s, item) || modify_param(l, s, item))
 			return true;
-		return s->class && is_fractal(s->class) && modify_fractal(l, s, item);
+		return s->class && form_of(s->class) == name_fractal && modify_fractal(l, s, item);
+	}
+}
+
+static bool is_refused(enum keyword word)
+{
+	switch (word) {
+#define PATTERN(word, file, form)
+#define REFUSED(WORD) case K_##WORD:
+#include "texture/patterns.def"
+#undef PATTERN
+#undef REFUSED
+		return true;
+	default:
+		return false;
 	}
 }
 
 bool pattern_state_item(struct lowering *l, struct pattern_state *s, const struct node *item,
 	const char *block, enum look_form *form)
 {
-	switch (item->keyword) {
-	case K_IMAGE_PATTERN:
-	case K_DENSITY_FILE:
-	case K_TILING:
-	case K_PAVEMENT:
+	if (is_refused(item->keyword)) {
 		lower_unsupported(l, item, keyword_name(item->keyword));
 		*form = FORM_REFUSED;
 		return false;
-	default:
-		break;
 	}
 	if (modify(l, s, item))
 		return false;
@@ -411,7 +426,11 @@ static void build_steps(struct lowering *l, const struct warp_step *steps, struc
 
 static const void *build_self(struct lowering *l, const struct pattern_state *s)
 {
-	if (!s->class || !s->class->build)
+	const char *complaint =
+		s->class && s->class->complaint ? s->class->complaint(s->self) : NULL;
+	if (complaint)
+		diag_error(l->diag, s->word, "%s", complaint);
+	if (!s->class || !s->class->build || complaint)
 		return s->self;
 	void *self = arena_copy(l->arena, s->self, s->class->size);
 	s->class->build(self);

@@ -22,7 +22,7 @@ static void name_pattern(struct lowering *l, struct patterned_state *s, const st
 {
 	const struct pattern_class *class = s->pattern.class;
 	s->form = FORM_PATTERN;
-	if (class == &pattern_facets)
+	if (class->only_normals)
 		diag_error(l->diag, item->word, "facets is a pattern of normals");
 	if (class->list_count > 0)
 		s->map = lower_list(l, item, class->list_count, K_TEXTURE, read_entry,

@@ -44,7 +44,7 @@ static void name_pattern(struct lowering *l, struct pigment_state *s, const stru
 {
 	const struct pattern_class *class = s->pattern.class;
 	s->form = FORM_PATTERN;
-	if (class == &pattern_facets)
+	if (class->only_normals)
 		diag_error(l->diag, item->word, "facets is a pattern of normals");
 	else if (class->list_count > 0 && node_child(item, K_PIGMENT))
 		s->map = lower_list(l, item, class->list_count, K_PIGMENT, read_entry,

@@ -39,8 +39,8 @@ static void add_object(struct flake *f, const char *word, vec3 v, double d)
 	const struct shape_class *shape = shape_find(word);
 	struct object *o = ARENA_NEW(f->arena, struct object);
 	char *self = arena_alloc(f->arena, shape->size);
-	memcpy(self + shape->params[0].offset, &v, sizeof v);
-	memcpy(self + shape->params[1].offset, &d, sizeof d);
+	memcpy(self + shape->fields[0].offset, &v, sizeof v);
+	memcpy(self + shape->fields[1].offset, &d, sizeof d);
 	if (shape->build) {
 		struct shape_build build = { .arena = f->arena };
 		shape->build(self, &build);

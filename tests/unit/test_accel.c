@@ -52,7 +52,7 @@ static void add_object(struct fixture *f, const char *word, const void *argument
 	const struct shape_class *shape = shape_find(word);
 	struct object *o = ARENA_NEW(f->arena, struct object);
 	char *self = arena_alloc(f->arena, shape->size);
-	memcpy(self + shape->params[0].offset, arguments, size);
+	memcpy(self + shape->fields[0].offset, arguments, size);
 	if (shape->build) {
 		struct shape_build build = { .arena = f->arena };
 		shape->build(self, &build);

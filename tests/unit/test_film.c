@@ -45,7 +45,7 @@ static void add_sphere(struct scene *scene, const struct finish *finish)
 		double radius;
 	} sphere = { { 0, 0, 5 }, 1 };
 	char *self = arena_alloc(scene->arena, shape->size);
-	memcpy(self + shape->params[0].offset, &sphere, sizeof sphere);
+	memcpy(self + shape->fields[0].offset, &sphere, sizeof sphere);
 	struct object *o = ARENA_NEW(scene->arena, struct object);
 	*o = (struct object){ .shape = shape,
 		.self = self,

@@ -67,6 +67,9 @@ static const struct sample samples[] = {
 		false, false },
 	{ "quadric", { 2, 5, 0, 0, 0, 0, 0.2, -0.1, 0, -0.3 }, true, true },
 	{ "quadric", { 2, 0, 3, 0, 0, 0, 0, 0.7, 0.1, -0.2 }, true, true },
+	{ "ovus", { 0.5, 0.2 }, true, true },
+	{ "ovus", { 0.4, 0.5 }, true, true },
+	{ "ovus", { 0.4, 0.75 }, true, true },
 };
 #define SAMPLE_COUNT (sizeof samples / sizeof samples[0])
 
@@ -82,12 +85,12 @@ static struct object *make(struct arena *arena, const struct sample *sample)
 	assert_non_null(shape);
 	char *self = arena_alloc(arena, shape->size);
 	const double *v = sample->values;
-	for (const struct param *p = shape->params; p->type != PARAM_TYPE_END; p++) {
-		if (p->type == PARAM_TYPE_VECTOR) {
-			*(vec3 *)(void *)(self + p->offset) = vec(v[0], v[1], v[2]);
+	for (const struct field *f = shape->fields; f->type != PARAMETER_END; f++) {
+		if (f->type == PARAMETER_VECTOR) {
+			*(vec3 *)(void *)(self + f->offset) = vec(v[0], v[1], v[2]);
 			v += 3;
-		} else if (p->type != PARAM_TYPE_FLAG) {
-			*(double *)(void *)(self + p->offset) = *v++;
+		} else if (f->type != PARAMETER_FLAG) {
+			*(double *)(void *)(self + f->offset) = *v++;
 		}
 	}
 	struct shape_build build = { .arena = arena, .error = unexpected, .warning = unexpected };
@@ -690,8 +693,8 @@ static void quartic_can_be_a_torus(void **unused)
 	struct arena *arena = arena_create(0);
 	const struct shape_class *shape = shape_find("quartic");
 	void *self = arena_alloc(arena, shape->size);
-	*(struct param_array *)(void *)((char *)self + shape->params[0].offset) =
-		(struct param_array){ c, 35 };
+	*(struct field_array *)(void *)((char *)self + shape->fields[0].offset) =
+		(struct field_array){ c, 35 };
 	struct shape_build build = { .arena = arena, .error = unexpected, .warning = unexpected };
 	shape->build(self, &build);
 	struct object quartic = { .shape = shape, .self = self };
@@ -751,8 +754,8 @@ static void polygon_has_a_hole(void **unused)
 	struct arena *arena = arena_create(0);
 	const struct shape_class *shape = shape_find("polygon");
 	void *self = arena_alloc(arena, shape->size);
-	*(struct param_array *)(void *)((char *)self + shape->params[1].offset) =
-		(struct param_array){ points[0], 30 };
+	*(struct field_array *)(void *)((char *)self + shape->fields[1].offset) =
+		(struct field_array){ points[0], 30 };
 	struct shape_build build = { .arena = arena, .error = unexpected, .warning = unexpected };
 	shape->build(self, &build);
 	assert_false(build.dropped);
@@ -823,9 +826,37 @@ static void lists_outgrow_the_stack(void **unused)
 	assert_null(hits.items);
 }
 
+static enum parameter_type field_type(enum parameter_type parameter)
+{
+	return parameter == PARAMETER_OPTIONAL ? PARAMETER_FLOAT
+	       : parameter == PARAMETER_PAIR   ? PARAMETER_VECTOR
+					       : parameter;
+}
+
+/* Every class has a field for each parameter of its row, of its type. */
+static void test_fields_match_rows(void **state)
+{
+	(void)state;
+	size_t classes = 0;
+	for (enum keyword k = K_NONE; k < KEYWORD_COUNT; k++) {
+		const struct shape_class *shape = shape_find(keyword_name(k));
+		if (!shape)
+			continue;
+		classes++;
+		const struct field *f = shape->fields;
+		for (const struct parameter *p = shape_word_of(k)->parameters;
+			p->type != PARAMETER_END; p++)
+			if (p->type != PARAMETER_ITEM)
+				assert_int_equal(f++->type, field_type(p->type));
+		assert_int_equal(f->type, PARAMETER_END);
+	}
+	assert_true(classes >= 15);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_fields_match_rows),
 		cmocka_unit_test(hits_fit_together),
 		cmocka_unit_test(normals_are_perpendicular),
 		cmocka_unit_test(absorbing_is_placing),

@@ -37,7 +37,7 @@ static void add_sphere(struct scene *scene)
 		double radius;
 	} sphere = { { 0, 0, 0 }, 1 };
 	char *self = arena_alloc(scene->arena, shape->size);
-	memcpy(self + shape->params[0].offset, &sphere, sizeof sphere);
+	memcpy(self + shape->fields[0].offset, &sphere, sizeof sphere);
 	struct object *o = ARENA_NEW(scene->arena, struct object);
 	*o = (struct object){ .shape = shape,
 		.self = self,

@@ -27,7 +27,7 @@ struct term {
 
 struct algebraic {
 	double order; /* as written; then 3 or 4 for cubic and quartic */
-	struct param_array coefficients;
+	struct field_array coefficients;
 	bool sturm; /* asks for care that is always taken */
 	/* built: */
 	double top;	    /* the sum of all coefficients of the highest order, without signs */
@@ -35,11 +35,10 @@ struct algebraic {
 	size_t term_count;
 };
 
-static const struct param cubic_params[] = { PARAM_ARRAY("coefficients", algebraic, coefficients),
-	PARAM_FLAG("sturm", algebraic, sturm), PARAM_END };
-static const struct param poly_params[] = { PARAM_FLOAT("an order", algebraic, order),
-	PARAM_ARRAY("coefficients", algebraic, coefficients), PARAM_FLAG("sturm", algebraic, sturm),
-	PARAM_END };
+static const struct field cubic_fields[] = { FIELD(algebraic, coefficients),
+	FIELD(algebraic, sturm), FIELD_END };
+static const struct field poly_fields[] = { FIELD(algebraic, order), FIELD(algebraic, coefficients),
+	FIELD(algebraic, sturm), FIELD_END };
 
 /* Appends the coefficient of x^x y^y z^z; until another term follows it is taken to be the last. */
 static void add_term(struct algebraic *a, double coefficient, unsigned powers[3])
@@ -307,11 +306,11 @@ static vec3 algebraic_normal(const void *self, const struct hit *hit, vec3 p)
 	return vec_length2(gradient) > 0 ? gradient : vec(1, 0, 0);
 }
 
-#define ALGEBRAIC(word, its_params)                                                                \
+#define ALGEBRAIC(word, its_fields)                                                                \
 	const struct shape_class shape_##word = {                                                  \
 		.name = #word,                                                                     \
 		.size = sizeof(struct algebraic),                                                  \
-		.params = its_params,                                                              \
+		.fields = its_fields,                                                              \
 		.build = word##_build,                                                             \
 		.bounds = algebraic_bounds,                                                        \
 		.nearest = algebraic_nearest,                                                      \
@@ -319,7 +318,7 @@ static vec3 algebraic_normal(const void *self, const struct hit *hit, vec3 p)
 		.inside = algebraic_inside,                                                        \
 		.normal = algebraic_normal,                                                        \
 	};
-ALGEBRAIC(cubic, cubic_params)
-ALGEBRAIC(quartic, cubic_params)
-ALGEBRAIC(poly, poly_params)
-ALGEBRAIC(polynomial, poly_params)
+ALGEBRAIC(cubic, cubic_fields)
+ALGEBRAIC(quartic, cubic_fields)
+ALGEBRAIC(poly, poly_fields)
+ALGEBRAIC(polynomial, poly_fields)

@@ -19,8 +19,7 @@ struct box_shape {
 
 enum face { FACE_LEFT, FACE_RIGHT, FACE_BOTTOM, FACE_TOP, FACE_FRONT, FACE_BACK };
 
-static const struct param box_params[] = { PARAM_VECTOR("a corner", box_shape, lo),
-	PARAM_VECTOR("a second corner", box_shape, hi), PARAM_END };
+static const struct field box_fields[] = { FIELD(box_shape, lo), FIELD(box_shape, hi), FIELD_END };
 
 static void box_build(void *self, struct shape_build *build)
 {
@@ -190,7 +189,7 @@ const struct shape_class shape_box = {
 	.name = "box",
 	.is_convex = true,
 	.size = sizeof(struct box_shape),
-	.params = box_params,
+	.fields = box_fields,
 	.build = box_build,
 	.absorb = box_absorb,
 	.bounds = box_bounds,

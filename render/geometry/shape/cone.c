@@ -22,15 +22,11 @@ enum cone_part { PART_SIDE, PART_TOP, PART_BOTTOM };
 /* How far closed solids exclude, and open ones include, what is on their surface. */
 #define SKIN 1e-10
 
-static const struct param cylinder_params[] = { PARAM_VECTOR("an end point", cone, b),
-	PARAM_VECTOR("a second end point", cone, a), PARAM_FLOAT("a radius", cone, radius_a),
-	PARAM_FLAG("open", cone, is_open), PARAM_END };
+static const struct field cylinder_fields[] = { FIELD(cone, b), FIELD(cone, a),
+	FIELD(cone, radius_a), FIELD(cone, is_open), FIELD_END };
 
-static const struct param cone_params[] = { PARAM_VECTOR("an end point", cone, a),
-	PARAM_FLOAT("a radius at its first end", cone, radius_a),
-	PARAM_VECTOR("a second end point", cone, b),
-	PARAM_FLOAT("a radius at its second end", cone, radius_b),
-	PARAM_FLAG("open", cone, is_open), PARAM_END };
+static const struct field cone_fields[] = { FIELD(cone, a), FIELD(cone, radius_a), FIELD(cone, b),
+	FIELD(cone, radius_b), FIELD(cone, is_open), FIELD_END };
 
 /* The frame with the given axis whose x and y have the length `radius`. */
 static transform axis_frame(vec3 base, vec3 axis, double radius)
@@ -242,7 +238,7 @@ const struct shape_class shape_cylinder = {
 	.name = "cylinder",
 	.is_convex = true,
 	.size = sizeof(struct cone),
-	.params = cylinder_params,
+	.fields = cylinder_fields,
 	.build = cylinder_build,
 	.absorb = cone_absorb,
 	.bounds = cone_bounds,
@@ -258,7 +254,7 @@ const struct shape_class shape_cylinder = {
 const struct shape_class shape_cone = {
 	.name = "cone",
 	.size = sizeof(struct cone),
-	.params = cone_params,
+	.fields = cone_fields,
 	.build = cone_build,
 	.absorb = cone_absorb,
 	.bounds = cone_bounds,

@@ -13,9 +13,8 @@ struct disc {
 	transform frame; /* orthonormal until transformations come in */
 };
 
-static const struct param disc_params[] = { PARAM_VECTOR("a centre", disc, centre),
-	PARAM_VECTOR("a normal", disc, normal), PARAM_FLOAT("a radius", disc, radius),
-	PARAM_OPTIONAL("a hole radius", disc, hole), PARAM_END };
+static const struct field disc_fields[] = { FIELD(disc, centre), FIELD(disc, normal),
+	FIELD(disc, radius), FIELD(disc, hole), FIELD_END };
 
 static void disc_build(void *self, struct shape_build *build)
 {
@@ -108,7 +107,7 @@ static vec3 disc_normal(const void *self, const struct hit *hit, vec3 p)
 const struct shape_class shape_disc = {
 	.name = "disc",
 	.size = sizeof(struct disc),
-	.params = disc_params,
+	.fields = disc_fields,
 	.build = disc_build,
 	.reaches_out = true,
 	.absorb = disc_absorb,

@@ -18,8 +18,8 @@ struct plane {
  * treat the whole face alike, in spite of rounding. */
 #define SKIN 1e-10
 
-static const struct param plane_params[] = { PARAM_VECTOR("a normal", plane, normal),
-	PARAM_FLOAT("a distance", plane, distance), PARAM_END };
+static const struct field plane_fields[] = { FIELD(plane, normal), FIELD(plane, distance),
+	FIELD_END };
 
 static void plane_build(void *self, struct shape_build *build)
 {
@@ -131,7 +131,7 @@ static vec3 plane_normal(const void *self, const struct hit *hit, vec3 p)
 const struct shape_class shape_plane = {
 	.name = "plane",
 	.size = sizeof(struct plane),
-	.params = plane_params,
+	.fields = plane_fields,
 	.build = plane_build,
 	.absorb = plane_absorb,
 	.invert = plane_invert,

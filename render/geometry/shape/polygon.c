@@ -14,7 +14,7 @@ struct edge {
 
 struct polygon {
 	double count; /* as written */
-	struct param_array points;
+	struct field_array points;
 	/* built: */
 	vec3 normal;
 	double distance;
@@ -28,8 +28,8 @@ struct polygon {
 #define SAME 1e-10
 #define FLAT 1e-10
 
-static const struct param polygon_params[] = { PARAM_FLOAT("a number of points", polygon, count),
-	PARAM_ARRAY("points", polygon, points), PARAM_END };
+static const struct field polygon_fields[] = { FIELD(polygon, count), FIELD(polygon, points),
+	FIELD_END };
 
 static vec3 point_at(const struct polygon *pg, size_t i)
 {
@@ -119,7 +119,7 @@ static void polygon_build(void *self, struct shape_build *build)
 	pg->across = (away + 1) % 3;
 	pg->up = (away + 2) % 3;
 	build_edges(pg, count, build);
-	pg->points = (struct param_array){ 0 };
+	pg->points = (struct field_array){ 0 };
 }
 
 static box polygon_bounds(const void *self)
@@ -210,7 +210,7 @@ static vec3 polygon_normal(const void *self, const struct hit *hit, vec3 p)
 const struct shape_class shape_polygon = {
 	.name = "polygon",
 	.size = sizeof(struct polygon),
-	.params = polygon_params,
+	.fields = polygon_fields,
 	.build = polygon_build,
 	.bounds = polygon_bounds,
 	.extent = polygon_extent,

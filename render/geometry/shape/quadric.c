@@ -18,11 +18,8 @@ struct quadric {
 	bool is_convex; /* ellipsoid, elliptic cylinder or paraboloid, not inside out */
 };
 
-static const struct param quadric_params[] = { PARAM_VECTOR("the coefficients of the squares",
-						       quadric, squares),
-	PARAM_VECTOR("the coefficients of the mixed terms", quadric, mixed),
-	PARAM_VECTOR("the linear coefficients", quadric, linear),
-	PARAM_FLOAT("a constant", quadric, constant), PARAM_END };
+static const struct field quadric_fields[] = { FIELD(quadric, squares), FIELD(quadric, mixed),
+	FIELD(quadric, linear), FIELD(quadric, constant), FIELD_END };
 
 /* Half the gradient of the quadratic part. */
 static inline vec3 quadric_times(const struct quadric *q, vec3 p)
@@ -395,7 +392,7 @@ static vec3 quadric_normal(const void *self, const struct hit *hit, vec3 p)
 const struct shape_class shape_quadric = {
 	.name = "quadric",
 	.size = sizeof(struct quadric),
-	.params = quadric_params,
+	.fields = quadric_fields,
 	.keeps_normal_inverted = true,
 	.build = quadric_build,
 	.absorb = quadric_absorb,

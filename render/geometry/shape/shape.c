@@ -6,14 +6,17 @@
 
 #include <string.h>
 
-#define SHAPE(name) extern const struct shape_class shape_##name;
-#include "shape/shapes.def"
-#undef SHAPE
+#define BLOCK					  SHAPE
+#define SHAPE(WORD, word, room, file, parameters) SHAPE_##room(word)
+#define SHAPE_lower(word)
+#define SHAPE_none(word)
+#define SHAPE_geometry(word) extern const struct shape_class shape_##word;
+#include "language/shapes.def"
+#undef SHAPE_geometry
 
 static const struct shape_class *const shapes[] = {
-#define SHAPE(name) &shape_##name,
-#include "shape/shapes.def"
-#undef SHAPE
+#define SHAPE_geometry(word) &shape_##word,
+#include "language/shapes.def"
 };
 
 const struct shape_class *shape_find(const char *word)

@@ -15,8 +15,8 @@ struct sphere {
 	double radius; /* < 0: the raw normal points inwards */
 };
 
-static const struct param sphere_params[] = { PARAM_VECTOR("a centre", sphere, centre),
-	PARAM_FLOAT("a radius", sphere, radius), PARAM_END };
+static const struct field sphere_fields[] = { FIELD(sphere, centre), FIELD(sphere, radius),
+	FIELD_END };
 
 /* Uniform scaling, rotation, mirroring and moving leave a sphere a sphere. */
 static bool sphere_absorb(void *self, const transform *t)
@@ -132,7 +132,7 @@ const struct shape_class shape_sphere = {
 	.name = "sphere",
 	.is_convex = true,
 	.size = sizeof(struct sphere),
-	.params = sphere_params,
+	.fields = sphere_fields,
 	.absorb = sphere_absorb,
 	.bounds = sphere_bounds,
 	.enclosing_sphere = sphere_enclosing_sphere,

@@ -28,9 +28,7 @@ struct superellipsoid {
 /* Steps in which an octant is searched for a pinched superellipsoid. */
 #define PINCHED_STEPS 24
 
-static const struct param superellipsoid_params[] = {
-	PARAM_VECTOR("exponents <e, n>", superellipsoid, exponents), PARAM_END
-};
+static const struct field superellipsoid_fields[] = { FIELD(superellipsoid, exponents), FIELD_END };
 
 static void superellipsoid_build(void *self, struct shape_build *build)
 {
@@ -282,7 +280,7 @@ static vec3 superellipsoid_normal(const void *self, const struct hit *hit, vec3 
 const struct shape_class shape_superellipsoid = {
 	.name = "superellipsoid",
 	.size = sizeof(struct superellipsoid),
-	.params = superellipsoid_params,
+	.fields = superellipsoid_fields,
 	.build = superellipsoid_build,
 	.bounds = superellipsoid_bounds,
 	.extent = superellipsoid_extent,

@@ -16,8 +16,8 @@ struct torus {
 	bool sturm;
 };
 
-static const struct param torus_params[] = { PARAM_FLOAT("a major radius", torus, major),
-	PARAM_FLOAT("a minor radius", torus, minor), PARAM_FLAG("sturm", torus, sturm), PARAM_END };
+static const struct field torus_fields[] = { FIELD(torus, major), FIELD(torus, minor),
+	FIELD(torus, sturm), FIELD_END };
 
 static void torus_build(void *self, struct shape_build *build)
 {
@@ -149,7 +149,7 @@ static void torus_uv(
 const struct shape_class shape_torus = {
 	.name = "torus",
 	.size = sizeof(struct torus),
-	.params = torus_params,
+	.fields = torus_fields,
 	.build = torus_build,
 	.bounds = torus_bounds,
 	.nearest = torus_nearest,

@@ -19,17 +19,13 @@ struct smooth_triangle {
 	vec3 normals[3]; /* unit, unless a matrix has changed that */
 };
 
-static const struct param triangle_params[] = { PARAM_VECTOR("a corner", triangle, p[0]),
-	PARAM_VECTOR("a second corner", triangle, p[1]),
-	PARAM_VECTOR("a third corner", triangle, p[2]), PARAM_END };
+static const struct field triangle_fields[] = { FIELD(triangle, p[0]), FIELD(triangle, p[1]),
+	FIELD(triangle, p[2]), FIELD_END };
 
-static const struct param smooth_triangle_params[] = { PARAM_VECTOR("a corner", smooth_triangle,
-							       flat.p[0]),
-	PARAM_VECTOR("a normal at its first corner", smooth_triangle, normals[0]),
-	PARAM_VECTOR("a second corner", smooth_triangle, flat.p[1]),
-	PARAM_VECTOR("a normal at its second corner", smooth_triangle, normals[1]),
-	PARAM_VECTOR("a third corner", smooth_triangle, flat.p[2]),
-	PARAM_VECTOR("a normal at its third corner", smooth_triangle, normals[2]), PARAM_END };
+static const struct field smooth_triangle_fields[] = { FIELD(smooth_triangle, flat.p[0]),
+	FIELD(smooth_triangle, normals[0]), FIELD(smooth_triangle, flat.p[1]),
+	FIELD(smooth_triangle, normals[1]), FIELD(smooth_triangle, flat.p[2]),
+	FIELD(smooth_triangle, normals[2]), FIELD_END };
 
 static vec3 face_normal(const struct triangle *tr)
 {
@@ -161,7 +157,7 @@ static vec3 smooth_triangle_normal(const void *self, const struct hit *hit, vec3
 const struct shape_class shape_triangle = {
 	.name = "triangle",
 	.size = sizeof(struct triangle),
-	.params = triangle_params,
+	.fields = triangle_fields,
 	.is_patch = true,
 	.build = triangle_build,
 	.absorb = triangle_absorb,
@@ -175,7 +171,7 @@ const struct shape_class shape_triangle = {
 const struct shape_class shape_smooth_triangle = {
 	.name = "smooth_triangle",
 	.size = sizeof(struct smooth_triangle),
-	.params = smooth_triangle_params,
+	.fields = smooth_triangle_fields,
 	.is_patch = true,
 	.build = smooth_triangle_build,
 	.step = smooth_triangle_step,

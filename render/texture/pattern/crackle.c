@@ -222,6 +222,7 @@ static const struct pattern_param facets_params[] = {
 	{ NULL, PATTERN_END, 0 },
 };
 const struct pattern_class pattern_facets = {
+	.only_normals = true,
 	.name = "facets",
 	.size = sizeof(struct facets),
 	.params = facets_params,

@@ -16,9 +16,11 @@
 #define WRAP 1.00001
 
 static const struct pattern_class *const classes[] = {
-#define PATTERN(name) &pattern_##name,
+#define REFUSED(WORD)
+#define PATTERN(word, file, form) &pattern_##word,
 #include "texture/patterns.def"
 #undef PATTERN
+#undef REFUSED
 };
 
 const struct pattern_class *pattern_find(const char *word)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What a primitive must offer: one file with one struct shape_class, and one
- * line SHAPE(name) in shape/shapes.def.
+ * line in language/shapes.def, which says what it takes.
  *
  * A shape works in its own space. Rays given to it have unnormalised directions
  * so that the ray parameter is that of the world ray; a shape that wants a unit
@@ -13,50 +13,31 @@
 
 #include "base/arena.h"
 #include "geometry/object.h"
+#include "language/shape_word.h"
 
 #include <string.h>
 
-/* The values written between the braces before any modifier, in order, and the flag words. */
-enum param_type {
-	PARAM_TYPE_END,
-	PARAM_TYPE_FLOAT,    /* double */
-	PARAM_TYPE_VECTOR,   /* vec3 */
-	PARAM_TYPE_OPTIONAL, /* double; keeps what `defaults` put there when absent */
-	PARAM_TYPE_ARRAY,    /* struct param_array: as many as were written */
-	PARAM_TYPE_FLAG,     /* bool: the word `name` among the items */
-};
-struct param {
-	const char *name; /* for messages: "torus needs a minor radius"; for flags the word */
-	enum param_type type;
+/* Where the instance keeps a parameter, in the order of its row in shapes.def; items have no field. */
+struct field {
+	enum parameter_type type; /* FLOAT stands for OPTIONAL, VECTOR for PAIR too */
 	size_t offset;
 };
-struct param_array {
+struct field_array {
 	const double *values; /* alive until build returns */
 	size_t count;	      /* numbers, not elements */
 };
-#define PARAM_FLOAT(name, type, field)                                                             \
+#define FIELD(instance, member)                                                                    \
 	{                                                                                          \
-		name, PARAM_TYPE_FLOAT, offsetof(struct type, field)                               \
+		_Generic(((struct instance *)NULL)->member, double                                 \
+			 : PARAMETER_FLOAT, vec3                                                   \
+			 : PARAMETER_VECTOR, bool                                                  \
+			 : PARAMETER_FLAG, struct field_array                                      \
+			 : PARAMETER_ARRAY),                                                       \
+			offsetof(struct instance, member)                                          \
 	}
-#define PARAM_VECTOR(name, type, field)                                                            \
+#define FIELD_END                                                                                  \
 	{                                                                                          \
-		name, PARAM_TYPE_VECTOR, offsetof(struct type, field)                              \
-	}
-#define PARAM_OPTIONAL(name, type, field)                                                          \
-	{                                                                                          \
-		name, PARAM_TYPE_OPTIONAL, offsetof(struct type, field)                            \
-	}
-#define PARAM_ARRAY(name, type, field)                                                             \
-	{                                                                                          \
-		name, PARAM_TYPE_ARRAY, offsetof(struct type, field)                               \
-	}
-#define PARAM_FLAG(name, type, field)                                                              \
-	{                                                                                          \
-		name, PARAM_TYPE_FLAG, offsetof(struct type, field)                                \
-	}
-#define PARAM_END                                                                                  \
-	{                                                                                          \
-		NULL, PARAM_TYPE_END, 0                                                            \
+		PARAMETER_END, 0                                                                   \
 	}
 
 /* What `build` may say. The message functions of lowering stand behind the pointers. */
@@ -78,7 +59,7 @@ enum { SHAPE_HALF_SPACES = 8 };
 struct shape_class {
 	const char *name;	    /* the word of the scene language */
 	size_t size;		    /* of the instance */
-	const struct param *params; /* NULL: lowering has its own file for this shape */
+	const struct field *fields; /* NULL: lowering makes the instance itself (csg, glyph) */
 	bool is_patch;		    /* has no inside */
 	bool is_compound;	    /* children are objects and hits already name their leaf */
 	bool reaches_out;	    /* its inside goes on beyond its bounds (disc) */

@@ -10,10 +10,11 @@
 
 #include "lower/lower.h"
 #include "geometry/shape.h"
+#include "lower/road.h"
 
 enum draft_kind {
 	DRAFT_SHAPE, /* shape, self, place */
-	DRAFT_TEXT,  /* node, place: becomes a union of glyphs */
+	DRAFT_MADE,  /* node, road, place: becomes the objects its road makes */
 	DRAFT_CSG,   /* csg, children */
 	DRAFT_LIGHT, /* light */
 	DRAFT_GROUP, /* a light_group: csg, children */
@@ -41,6 +42,7 @@ struct extent {
 /* What few drafts have. */
 struct draft_extras {
 	struct draft *children;
+	shape_road *road; /* of DRAFT_MADE */
 	struct light *light;
 	struct draft *looks_like, *projected_through;
 	struct looks *interior_texture;

@@ -138,13 +138,4 @@ const struct pigment *lower_pigment(struct lowering *, const struct node *, cons
  * error. */
 const struct object *lower_inside_object(struct lowering *, const struct node *block);
 
-/* ---- lower_text.c ---- */
-
-/* Makes the letters of a K_TEXT node, each an object with shape, self and place, in order; `place`
- * (NULL: none) holds the transformations of the statement. Blanks, which are points without a surface
- * but count in the extent, go to `emit_blank`, or nowhere if that is NULL. False after an error. */
-bool lower_text(struct lowering *, const struct node *, const transform *place,
-	void (*emit)(void *user, struct object *), void (*emit_blank)(void *user, struct object *),
-	void *user);
-
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What a pattern must offer: one struct pattern_class in a file under pattern/,
- * and one line PATTERN(name) in pattern/patterns.def.
+ * and one line in texture/patterns.def.
  *
  * A pattern turns a point into a number. An item that has a pattern (pigment,
  * normal, texture) owns a struct pattern: the class with its parameters, and
@@ -58,9 +58,12 @@ struct pattern_class {
 	bool sets_frequency_0;		    /* when named */
 	bool own_turbulence;		    /* the item's turbulence does not displace the point */
 	bool needs_wave_sources;
+	bool only_normals;	       /* no colour: the surface is its whole effect */
 	const struct default_map *map; /* NULL: default_map_grey */
 	/* Derives what evaluation needs, once all parameters are set. NULL: nothing to do. */
 	void (*build)(void *self);
+	/* What is wrong with the parameters once all are set, as a message; NULL, also returned: nothing. */
+	const char *(*complaint)(const void *self);
 	/* The raw value at the warped point. */
 	double (*value)(const struct pattern *, vec3 q, struct surface *);
 	/* A vector formula of its own when used as a normal: n after perturbation by `amount`.

@@ -8,9 +8,11 @@
 
 #include "texture/pattern.h"
 
-#define PATTERN(name) extern const struct pattern_class pattern_##name;
+#define REFUSED(WORD)
+#define PATTERN(word, file, form) extern const struct pattern_class pattern_##word;
 #include "texture/patterns.def"
 #undef PATTERN
+#undef REFUSED
 
 /* mandel, julia and magnet. */
 struct fractal {

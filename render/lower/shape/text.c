@@ -6,8 +6,8 @@
  * font units, unhinted; where letters stand follows the language, which differs
  * from plain typesetting in the first letter and in that offset.z is ignored.
  */
-#include "lower/lower.h"
 #include "geometry/glyph.h"
+#include "lower/road.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -385,7 +385,10 @@ static bool set_text(struct setting *s, const char *path, const char *text)
 	return opened;
 }
 
-bool lower_text(struct lowering *l, const struct node *n, const transform *place,
+/* The road of the word `text`. */
+shape_road shape_road_text;
+
+bool shape_road_text(struct lowering *l, const struct node *n, const transform *place,
 	void (*emit)(void *user, struct object *), void (*emit_blank)(void *user, struct object *),
 	void *user)
 {
