@@ -22,7 +22,7 @@ open_suite() {
 	shift
 	references=false
 	if [ "${1:-}" = --references ]; then references=true && shift; fi
-	lambert=$(realpath -- "${1:-build/release/lambert}")
+	lambert=$(realpath -m -- "${1:-build/release/lambert}")
 	pattern=${2:-*}
 	cache=$PWD/build/tests/$suite
 	work=$cache/$(basename "$(dirname "$lambert")")
