@@ -96,13 +96,21 @@ static bool is_kept(const struct parse_options *o, const char *real)
 	return false;
 }
 
+/* What waits for somebody at its other end is no file of a scene. */
+static bool is_pipe(const char *path)
+{
+	struct stat s;
+	return stat(path, &s) == 0 && (S_ISFIFO(s.st_mode) || S_ISSOCK(s.st_mode));
+}
+
 const char *file_may_read(const struct parse_options *o, const char *path, struct arena *arena)
 {
 	char real[PATH_MAX];
 	if (!file_true_path(path, real))
 		return arena_printf(arena, "cannot read %s: %s", path, strerror(errno));
 	if (allows_reading(o, real))
-		return NULL;
+		return is_pipe(real) ? arena_printf(arena, "'%s' is a pipe, not a file", path)
+				     : NULL;
 	return arena_printf(arena,
 		"the scene is not allowed to read '%s', which is not below its folder, the current "
 		"folder, the home folder (hidden ones apart) or a library path; --allow-read "
@@ -133,6 +141,10 @@ FILE *file_open_to_write(const struct parse_options *o, const char *path, bool a
 	if (known && is_kept(o, real)) {
 		*message = arena_printf(
 			arena, "'%s' is in use by this run: it is not overwritten", path);
+		return NULL;
+	}
+	if (known && is_pipe(real)) {
+		*message = arena_printf(arena, "'%s' is a pipe, not a file", path);
 		return NULL;
 	}
 	FILE *file = !known	  ? NULL

@@ -303,6 +303,8 @@ bool macro_call(struct parser *, struct symbol *, span);
 bool name_is_lost(const struct parser *, uint32_t id);
 /* Notes after an error where a name is declared, if that is certain. */
 void note_declared(struct parser *, uint32_t id);
+/* Shows how an element of an array is written. */
+void note_element(struct parser *, span where, const char *array);
 /* The include file whose name is most like this one, NULL if none is. */
 const char *include_nearest(struct parser *, const char *name);
 

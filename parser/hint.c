@@ -174,6 +174,11 @@ static bool note_vector(struct parser *p, const struct queued *t, const struct o
 	return true;
 }
 
+void note_element(struct parser *p, span where, const char *array)
+{
+	parser_note(p, where, "an element of an array is written %s[0]", array);
+}
+
 bool note_bracket(struct parser *p, int token, span where)
 {
 	const struct raw_token *raw = raw_before(p, where, 1);
@@ -187,7 +192,7 @@ bool note_bracket(struct parser *p, int token, span where)
 		parser_note(p, where, "'%s' is %s: only an array has elements", name->text,
 			token_words(value_terminal(name->binding->slot)));
 	else if (is_array)
-		parser_note(p, where, "an element of an array is written %s[1]", name->text);
+		note_element(p, where, name->text);
 	else
 		parser_note(p, where, "'%s' is neither a macro nor a function", name->text);
 	note_declared(p, raw->payload);
@@ -313,8 +318,7 @@ bool note_hint(struct parser *p, const struct run *run, const struct opening *op
 	else if (note_home(p, t, open))
 		return true;
 	else if (token == T_ARRAY)
-		parser_note(p, t->where, "an element of an array is written %s[1]",
-			token_name(&t->value));
+		note_element(p, t->where, token_name(&t->value));
 	else if (token == '(' || token == '[')
 		return note_bracket(p, token, t->where);
 	else

@@ -228,8 +228,7 @@ static bool report_kind(
 	parser_error(p, t->where, "%s needs %s, found %s", keyword_name(word), kind,
 		empty ? "nothing" : found_phrase(p, run, t));
 	if (token == T_ARRAY)
-		parser_note(p, t->where, "an element of an array is written %s[1]",
-			token_name(&t->value));
+		note_element(p, t->where, token_name(&t->value));
 	note_symbol(p, t);
 	return true;
 }
