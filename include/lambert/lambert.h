@@ -103,7 +103,7 @@ struct lambert_scene_options {
 	size_t read_path_count;
 	const char *const *write_paths; /* and write, beside the current directory */
 	size_t write_path_count;
-	const char *const *kept_paths; /* files the scene must not write, such as the program's own */
+	const char *const *kept_paths; /* files the scene must not write, as the program's own */
 	size_t kept_path_count;
 	lambert_message_function message; /* may be NULL */
 	lambert_text_function text;	  /* may be NULL */
