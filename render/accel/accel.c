@@ -127,6 +127,29 @@ static const struct object **kept(struct arena *arena, const struct object **lis
 	return copy;
 }
 
+/* The box that the inside of an object stays within, clips left aside. */
+static box reach_of(const struct object *o)
+{
+	const box b = o->shape->bounds(o->self);
+	if (o->inverted || o->shape->reaches_out || box_is_unbounded(b))
+		return box_everything();
+	return box_placed(b, o->place);
+}
+
+static const box *reaches(struct arena *arena, const struct object *const *objects, size_t count)
+{
+	box *boxes = ARENA_ARRAY(arena, count, box);
+	for (size_t i = 0; i < count; i++)
+		boxes[i] = reach_of(objects[i]);
+	return boxes;
+}
+
+static bool box_has(const box *b, vec3 p)
+{
+	return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y &&
+	       p.z >= b->lo.z && p.z <= b->hi.z;
+}
+
 struct accel *accel_build(struct object *const *objects, size_t count, unsigned threads)
 {
 	struct arena *arena = arena_create(0);
@@ -143,6 +166,7 @@ struct accel *accel_build(struct object *const *objects, size_t count, unsigned 
 		sort_object(a, &s, objects[i], (uint32_t)i);
 	a->unbounded = kept(arena, s.unbounded, a->unbounded_count);
 	a->outside = kept(arena, s.outside, a->outside_count);
+	a->outside_reach = reaches(arena, a->outside, a->outside_count);
 	qsort(a->unbounded, a->unbounded_count, sizeof *a->unbounded, by_rank);
 	if (s.bounded_count)
 		a->tree = bvh_build(arena, s.bounded, s.bounded_count, threads);
@@ -179,9 +203,12 @@ const struct object *accel_blocker(const struct accel *a, const ray *r, double t
 static size_t candidates(const struct accel *a, vec3 p, const struct object **out, size_t room)
 {
 	size_t count = a->kernel->around(a, p, out, room);
-	for (size_t i = 0; i < a->outside_count; i++, count++) {
+	for (size_t i = 0; i < a->outside_count; i++) {
+		if (!box_has(&a->outside_reach[i], p))
+			continue;
 		if (count < room)
 			out[count] = a->outside[i];
+		count++;
 	}
 	if (count > room)
 		return count;

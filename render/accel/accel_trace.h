@@ -39,6 +39,7 @@ struct accel {
 	const struct object **unbounded;   /* by rank */
 	size_t unbounded_count;
 	const struct object **outside; /* bounded, but points outside their bounds can be inside */
+	const box *outside_reach; /* what their insides are within */
 	size_t outside_count;
 	size_t object_count;
 };

@@ -229,8 +229,11 @@ bool object_inside(const struct object *o, vec3 p)
 
 bool object_surrounds(const struct object *o, vec3 p)
 {
-	return box_is_unbounded(o->shape->bounds(o->self)) ? object_inside(o, p)
-							   : inside_shape(o, p);
+	if (!inside_shape(o, p))
+		return false;
+	if (!o->extras || !o->extras->clip_count)
+		return true;
+	return !box_is_unbounded(o->shape->bounds(o->self)) || object_inside(o, p);
 }
 
 bool object_chord(const struct object *o, const ray *r, struct chord *chord)
