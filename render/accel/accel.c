@@ -144,12 +144,6 @@ static const box *reaches(struct arena *arena, const struct object *const *objec
 	return boxes;
 }
 
-static bool box_has(const box *b, vec3 p)
-{
-	return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y &&
-	       p.z >= b->lo.z && p.z <= b->hi.z;
-}
-
 struct accel *accel_build(struct object *const *objects, size_t count, unsigned threads)
 {
 	struct arena *arena = arena_create(0);

@@ -75,12 +75,6 @@ static void warn_of_no_light(struct lowering *l)
 
 /* ---- the camera ---- */
 
-static bool box_has(const box *b, vec3 p)
-{
-	return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y &&
-	       p.z >= b->lo.z && p.z <= b->hi.z;
-}
-
 static bool is_well_inside(const struct object *o, vec3 p)
 {
 	static const vec3 steps[] = { { 0, 0, 0 }, { ROOM, 0, 0 }, { -ROOM, 0, 0 }, { 0, ROOM, 0 },

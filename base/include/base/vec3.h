@@ -121,6 +121,12 @@ static inline bool box_is_empty(box b)
 {
 	return !(b.lo.x <= b.hi.x && b.lo.y <= b.hi.y && b.lo.z <= b.hi.z);
 }
+/* The faces belong to the box. */
+static inline bool box_has(const box *b, vec3 p)
+{
+	return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y &&
+	       p.z >= b->lo.z && p.z <= b->hi.z;
+}
 static inline vec3 box_centre(box b)
 {
 	return vec_scale(vec_add(b.lo, b.hi), 0.5);
